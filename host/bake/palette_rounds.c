@@ -10,6 +10,7 @@
 
 #include "bake/palette_nearest.h"
 #include "base/memory.h"
+#include "base/stop.h"
 
 enum { ROUNDS = 4, BALL_STEPS = 60 };
 
@@ -73,13 +74,16 @@ static void move_to_mean(const struct palette_choice *c, const uint32_t *members
 /* Each point to its nearest center; returns the largest weighted distance. */
 static double assign(struct palette_choice *c, struct palette_grid *grid, uint32_t *order)
 {
+    sigset_t before;
     palette_sort_centers(c, grid, order);
+    signals_hold_but_faults(&before); /* the first thread alone takes them */
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < c->count; i++) {
         double off;
         c->nearest[i] = palette_nearest(c, grid, order, c->points[i].at, &off);
         c->off[i] = off * c->points[i].weight;
     }
+    signals_release(&before);
     double largest = 0;
     for (size_t i = 0; i < c->count; i++)
         largest = fmax(largest, c->off[i]);
@@ -99,6 +103,8 @@ static void move_centers(struct palette_choice *c, uint32_t *first, uint32_t *me
         members[first[c->nearest[i]]++] = (uint32_t)i;
     memmove(first + 1, first, c->entries * sizeof *first);
     first[0] = 0;
+    sigset_t before;
+    signals_hold_but_faults(&before);
 #pragma omp parallel for schedule(dynamic, 64)
     for (uint32_t i = 0; i < c->entries; i++) {
         const uint32_t *own = members + first[i], count = first[i + 1] - first[i];
@@ -107,6 +113,7 @@ static void move_centers(struct palette_choice *c, uint32_t *first, uint32_t *me
         else
             move_to_middle(c, own, count, c->centers[i].at);
     }
+    signals_release(&before);
 }
 
 void palette_rounds(struct palette_choice *c)

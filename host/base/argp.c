@@ -141,6 +141,21 @@ static void refuse_option(const struct argp_state *state)
     refuse(state, "wrong usage");
 }
 
+/* Then `name` is the option's. */
+static bool is_among(const struct option_list *its, const struct argp_option *option, const char *but,
+                     char name[OPTION_NAME_MAX])
+{
+    for (unsigned i = 0; i < its->count; i++)
+        if (its->options[i] == option && !(option->name && strcmp(option->name, but) == 0)) {
+            if (option->name)
+                snprintf(name, OPTION_NAME_MAX, "--%s", option->name);
+            else
+                snprintf(name, OPTION_NAME_MAX, "-%c", option->key);
+            return true;
+        }
+    return false;
+}
+
 bool option_given(const struct argp_state *state, const struct argp *of, const char *but, char name[OPTION_NAME_MAX])
 {
     struct option_list all = {.count = 0}, its = {.count = 0};
@@ -150,17 +165,24 @@ bool option_given(const struct argp_state *state, const struct argp *of, const c
         const char *word = state->argv[i];
         unsigned count;
         char names[256];
-        const struct argp_option *found = strncmp(word, "--", 2) == 0 ? find_long(&all, word, &count, names)
-                                          : *word == '-'              ? find_letter(&all, word[1])
-                                                                      : NULL;
-        for (unsigned k = 0; found && k < its.count; k++)
-            if (its.options[k] == found && !(found->name && strcmp(found->name, but) == 0)) {
-                if (found->name)
-                    snprintf(name, OPTION_NAME_MAX, "--%s", found->name);
-                else
-                    snprintf(name, OPTION_NAME_MAX, "-%c", found->key);
+        bool value_follows = false;
+        if (strncmp(word, "--", 2) == 0) {
+            const struct argp_option *found = find_long(&all, word, &count, names), *meant = found;
+            if (found && is_among(&its, found, but, name))
                 return true;
+            while (meant && meant->flags & OPTION_ALIAS)
+                meant--;
+            value_follows = meant && needs_value(meant) && !strchr(word, '=');
+        } else if (*word == '-') {
+            const struct argp_option *found = NULL;
+            for (const char *at = word + 1; *at && !(found && found->arg); at++) {
+                found = find_letter(&all, *at);
+                if (found && is_among(&its, found, but, name))
+                    return true;
+                value_follows = found && needs_value(found) && !at[1];
             }
+        }
+        i += value_follows;
     }
     return false;
 }

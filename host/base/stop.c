@@ -2,6 +2,7 @@
 #include "base/stop.h"
 
 #include <errno.h>
+#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,6 +13,7 @@ static void (*volatile undos[UNDO_MAX])(void);
 static volatile sig_atomic_t undo_count;
 static const char *volatile last_words;
 static volatile sig_atomic_t resumed;
+static pthread_t first_thread; /* which alone works on what the undos read, and holds signals meanwhile */
 
 /* All that end a program and can be caught; those that tell of a bug, which no program goes on after, stand below. */
 static const int ends[] = {SIGHUP,  SIGINT,    SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2,
@@ -34,8 +36,19 @@ static void end_by(int number)
     raise(number);
 }
 
+/* A thread's own fault ends the program there. One that somebody sent to the process comes to any thread that does not hold
+ * it: the first takes it, when it can. What a thread sends itself, as abort() does, is its own (SI_TKILL). */
+static void end_by_fault(int number, siginfo_t *info, void *context)
+{
+    (void)context;
+    const bool is_sent = info->si_code == SI_USER || info->si_code == SI_QUEUE;
+    if (!is_sent || pthread_equal(pthread_self(), first_thread) || pthread_kill(first_thread, number) != 0)
+        end_by(number);
+}
+
 void stop_at_signals(void)
 {
+    first_thread = pthread_self();
     for (int i = 0; i < ENDS; i++) {
         if (write_reports(ends[i]))
             signal(ends[i], SIG_IGN);
@@ -45,7 +58,8 @@ void stop_at_signals(void)
     for (int i = 0; i < FAULTS; i++) {
         struct sigaction now;
         if (sigaction(faults[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL) /* else a sanitizer's */
-            signal(faults[i], end_by);
+            sigaction(faults[i], &(struct sigaction){.sa_sigaction = end_by_fault, .sa_flags = SA_SIGINFO | SA_RESTART},
+                      NULL);
     }
 }
 

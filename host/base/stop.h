@@ -6,7 +6,8 @@
 #include <signal.h>
 #include <stdbool.h>
 
-/* The signals that end a program, a crash too, end it at once, after stop_undo's functions have run. Ignored signals stay ignored. */
+/* The signals that end a program, a crash too, end it at once, after stop_undo's functions have run. Ignored signals stay ignored.
+ * The first thread calls it. */
 void stop_at_signals(void);
 /* From now on the first signal that would end the program only asks: stream_stopped() becomes true and waiting ends. The
  * second ends the program at once. SIGTSTP stops it after the last words. */
@@ -28,7 +29,8 @@ void stop_last_words(const char *words);
 unsigned stop_resumed(void);
 
 /* Holds signals back until they are released: in this thread, and in threads it starts in between. All of them: short work on what
- * stop_undo's functions read. For threads that draw, all but faults: a fault that is held ends the program without stop_undo's. */
+ * stop_undo's functions read. For threads that draw, all but faults: a fault that is held ends the program without stop_undo's. Where one
+ * is sent to the process, such a thread hands it on to the first. */
 void signals_hold(sigset_t *before);
 void signals_hold_but_faults(sigset_t *before);
 void signals_release(const sigset_t *before);

@@ -119,23 +119,34 @@ static void check_output(const struct argp_state *state, struct stream_options *
         to->check(state, kind, o->output, o->frames);
 }
 
-/* Nothing but the light's direction reaches the device. */
-static void check_demo(const struct argp_state *state, const struct stream_options *o, bool directional)
+/* Nothing but the light's direction reaches the device. This comes before options are checked against each other, which would
+ * ask for more of what is refused here. */
+static void check_only_light(const struct argp_state *state, const struct stream_options *o)
 {
     const struct scene_options *scene = &o->look.scene;
-    const struct shading *shading = &o->look.shading;
     char option[OPTION_NAME_MAX];
+    if (!o->shade_demo)
+        return;
     if (scene->heights || scene->normals || scene->scene || scene->mesh.name)
         refuse(state, "--shade demo: the device shows what is its own; leave the scene out");
+    if (option_given(state, &drawing_options_argp, "light", option))
+        refuse(state, "--shade demo: the device shows what is its own; leave %s out", option);
+    if (o->board_lights)
+        refuse(state, "--shade demo: a board's light is for --shade device; leave --lights board out");
+}
+
+static void check_demo(const struct argp_state *state, const struct stream_options *o, bool directional)
+{
+    const struct shading *shading = &o->look.shading;
     if (!directional || shading->lamp_count > 1)
         refuse(state, "--shade demo: the device takes one --light");
     for (int k = 0; k < 3; k++)
         if (shading->lamps[0].color[k] != 1)
             refuse(state, "--shade demo: the light is white; leave the colour of --light out");
-    if (option_given(state, &drawing_options_argp, "light", option))
-        refuse(state, "--shade demo: the device shows what is its own; leave %s out", option);
     if (o->fps > 0 && o->fps < 1)
-        refuse(state, "--shade demo: the device's own light is back %g s after the last; give --fps 1 or more",
+        refuse(state,
+               "--shade demo: the device's own light is back %g s after the last, and frames may come late; "
+               "give --fps 1 or more",
                LIGHT_HELD_MS / 1000.);
 }
 
@@ -155,7 +166,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--lights %s: goes on for ever; give --frames N for --to %s", o->lights, o->kind->name);
     if (o->shade_demo)
         check_demo(state, o, directional);
-    if (o->board_lights && (!o->shade_device || o->shade_demo))
+    if (o->board_lights && !o->shade_device)
         refuse(state, "--lights board: is the light of a board that shades; add --to usb --shade device");
     if (!isnan(o->orbit) && !directional)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
@@ -225,6 +236,10 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_ARG:
         scene_options_argument(state, text, &o->look.scene);
+        check_only_light(state, o);
+        return 0;
+    case ARGP_KEY_NO_ARGS: /* before the end, which other parsers see first */
+        check_only_light(state, o);
         return 0;
     case ARGP_KEY_END:
         check(state, o);

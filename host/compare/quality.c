@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/stop.h"
 #include "draw/canvas.h"
 #include "image/levels.h"
 
@@ -60,9 +61,12 @@ void bake_quality(const struct scene *scene, const struct baked *baked, struct q
     }
     for (int row = 0; row < QUALITY_ROWS; row++) {
         struct difference each[LIGHTS] = {{0}};
+        sigset_t before;
+        signals_hold_but_faults(&before); /* the first thread alone takes them */
 #pragma omp parallel for schedule(dynamic)
         for (int light = 0; light < LIGHTS; light++)
             add_light(&exact, &lossy, shininess[row], light, &each[light]);
+        signals_release(&before);
         rows[row] = (struct quality){.n = shininess[row]};
         for (int light = 0; light < LIGHTS; light++) /* in order: the same sums each time */
             difference_merge(&rows[row].difference, &each[light]);

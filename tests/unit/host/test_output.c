@@ -2,15 +2,21 @@
  * Output files: whole or not there, whatever ends the program. */
 #include <fcntl.h>
 #include <glob.h>
+#include <pthread.h>
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#if defined(_OPENMP)
+#include <omp.h>
+#endif
 
 #include "files.h"
 
+#include "bake/palette.h"
 #include "base/folder.h"
 #include "base/output.h"
 #include "base/stop.h"
+#include "compare/quality.h"
 #include "scene/scene.h"
 
 /* ---- in a process of its own, linked in ---- */
@@ -32,14 +38,17 @@ static int status_of(void (*child)(void))
     return status;
 }
 
-static bool signal_in_mkstemp; /* one that comes when the file is there and its name is not yet known to the caller */
+/* It comes when the file is there and its name is not yet known to the caller. */
+static int signal_in_mkstemp;
 
-/* Takes the place of libc's. */
+/* Takes the place of libc's. The signal goes to the process, and a thread that does not hold it has time to take it. */
 int mkstemp(char *name)
 {
     const int descriptor = mkostemp(name, 0);
-    if (signal_in_mkstemp)
-        raise(SIGTERM);
+    if (signal_in_mkstemp) {
+        kill(getpid(), signal_in_mkstemp);
+        usleep(100000);
+    }
     return descriptor;
 }
 
@@ -51,7 +60,7 @@ static void discard_and_end(int number)
 
 static void open_while_a_signal_comes(void)
 {
-    signal_in_mkstemp = true;
+    signal_in_mkstemp = SIGTERM;
     signal(SIGTERM, discard_and_end);
     output_open("out/struck");
 }
@@ -61,6 +70,75 @@ static void a_signal_while_a_file_is_opened_leaves_nothing(void **state)
     (void)state;
     const int status = status_of(open_while_a_signal_comes);
     assert_int_equal(WEXITSTATUS(status), SIGTERM);
+    assert_int_equal(files_in("out"), 0);
+}
+
+/* As a thread that has drawn. */
+static void *wait_for_work(void *unused)
+{
+    for (;;)
+        pause();
+    return unused;
+}
+
+static void *give_up(void *unused)
+{
+    abort();
+    return unused;
+}
+
+/* As one that draws, in a program whose faults no sanitizer takes. */
+static pthread_t start_thread(void *(*run_it)(void *))
+{
+    static const int faults[] = {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP};
+    const struct rlimit no_core = {0, 0};
+    sigset_t before;
+    pthread_t thread;
+    setrlimit(RLIMIT_CORE, &no_core);
+    for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+        signal(faults[i], SIG_DFL);
+    stop_at_signals();
+    signals_hold_but_faults(&before);
+    if (pthread_create(&thread, NULL, run_it, NULL) != 0)
+        _exit(98);
+    signals_release(&before);
+    return thread;
+}
+
+static int sent; /* what somebody sends the process */
+
+static void open_beside_a_thread_while_it_is_sent(void)
+{
+    start_thread(wait_for_work);
+    signal_in_mkstemp = sent;
+    output_open("out/struck");
+}
+
+static void a_fault_that_is_sent_while_a_file_is_opened_beside_a_drawing_thread_leaves_nothing(void **state)
+{
+    (void)state;
+    static const int signals[] = {SIGABRT, SIGBUS, SIGSEGV};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        sent = signals[i];
+        const int status = status_of(open_beside_a_thread_while_it_is_sent);
+        assert_true(WIFSIGNALED(status));
+        assert_int_equal(WTERMSIG(status), sent);
+        assert_int_equal(files_in("out"), 0);
+    }
+}
+
+static void give_up_beside_an_open_file(void)
+{
+    output_open("out/given-up");
+    pthread_join(start_thread(give_up), NULL);
+}
+
+static void a_drawing_thread_that_gives_up_leaves_nothing(void **state)
+{
+    (void)state;
+    const int status = status_of(give_up_beside_an_open_file);
+    assert_true(WIFSIGNALED(status));
+    assert_int_equal(WTERMSIG(status), SIGABRT);
     assert_int_equal(files_in("out"), 0);
 }
 
@@ -86,6 +164,73 @@ static void a_fault_in_a_drawing_thread_leaves_nothing(void **state)
     assert_true(WIFSIGNALED(status));
     assert_int_equal(WTERMSIG(status), SIGSEGV);
     assert_int_equal(files_in("out"), 0);
+}
+
+/* Does each thread but the first hold what ends a program? */
+static bool threads_hold_signals(void)
+{
+    const unsigned long long wanted = 1ULL << (SIGINT - 1) | 1ULL << (SIGTERM - 1);
+    bool all = true;
+    glob_t found;
+    if (glob("/proc/self/task/*/status", 0, NULL, &found) != 0)
+        return false;
+    for (size_t i = 0; i < found.gl_pathc; i++) {
+        unsigned long long held = 0;
+        char text[4000];
+        read_text(found.gl_pathv[i], text, sizeof text);
+        const char *at = strstr(text, "SigBlk:");
+        const bool is_first = atoi(found.gl_pathv[i] + strlen("/proc/self/task/")) == getpid();
+        all &= is_first || (at && sscanf(at, "SigBlk: %llx", &held) == 1 && (held & wanted) == wanted);
+    }
+    globfree(&found);
+    return all;
+}
+
+enum { NORMALS = 1000, ENTRIES = 50 };
+
+static void choose_a_palette(void)
+{
+    struct glint_vec normals[NORMALS], palette[ENTRIES];
+    uint16_t places[NORMALS];
+    for (int i = 0; i < NORMALS; i++)
+        normals[i] = (struct glint_vec){(int16_t)(i * 20), (int16_t)(i * 37 % 9000), 20000};
+    palette_choose(normals, NORMALS, ENTRIES, palette, places);
+}
+
+static void judge_what_is_baked(void)
+{
+    enum { SIDE = 16 };
+    static double normals[SIDE * SIDE][3];
+    static struct glint_vec vectors[SIDE * SIDE];
+    struct quality rows[QUALITY_ROWS];
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        normals[i][2] = 1;
+        vectors[i].z = 32767;
+    }
+    const struct scene scene = {.width = SIDE, .height = SIDE, .normals = normals};
+    const struct baked baked = {.format = BAKE_INT16, .width = SIDE, .height = SIDE, .normals = vectors};
+    bake_quality(&scene, &baked, rows);
+}
+
+static void (*work)(void);
+
+static void work_in_threads(void)
+{
+#if defined(_OPENMP)
+    omp_set_num_threads(3);
+#endif
+    work();
+    _exit(threads_hold_signals() ? 0 : 98);
+}
+
+static void threads_leave_signals_to_the_first(void **state)
+{
+    (void)state;
+    static void (*const works[])(void) = {choose_a_palette, judge_what_is_baked};
+    for (size_t i = 0; i < sizeof works / sizeof *works; i++) {
+        work = works[i];
+        assert_int_equal(status_of(work_in_threads), 0);
+    }
 }
 
 static void fail_in_the_middle(void)
@@ -271,6 +416,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_signal_while_a_file_is_opened_leaves_nothing),
         TEST(a_fault_in_a_drawing_thread_leaves_nothing),
+        TEST(a_fault_that_is_sent_while_a_file_is_opened_beside_a_drawing_thread_leaves_nothing),
+        TEST(a_drawing_thread_that_gives_up_leaves_nothing),
+        TEST(threads_leave_signals_to_the_first),
         TEST(an_error_in_the_middle_is_not_forgotten_when_the_end_is_written),
         TEST(a_signal_that_ends_the_command_leaves_nothing),
         TEST(a_signal_that_is_ignored_stays_so),

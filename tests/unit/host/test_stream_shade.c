@@ -272,10 +272,18 @@ static void what_does_not_reach_the_boards_own_picture_is_refused_by_its_name(vo
                                              {"--mat=gold", "leave --material out"},
                                              {"-n 9", "leave -n out"},
                                              {"-q8", "leave -q out"},
+                                             {"--serial -q8 -n 9", "leave -n out"}, /* a value is no option */
+                                             {"-o --albedo -n 9", "leave -n out"},
                                              {"--color 1,2,3", "leave --color out"},
                                              {"--view 0,1,1", "leave --view out"},
                                              {"--size 20x20", "leave --size out"},
                                              {"--background red.png", "leave --background out"},
+                                             {"--turn 1,2,3", "leave --turn out"}, /* also where it lacks a mesh */
+                                             {"--bevel 3", "leave --bevel out"},
+                                             {"--albedo no.png --color 1,2,3", "leave --albedo out"},
+                                             {"--turn 1,2,3 --mesh a.stl", "leave the scene out"},
+                                             {"--cut-out coin", "leave the scene out"},
+                                             {"--lights board", "leave --lights board out"},
                                              {"--albedo no.png", "leave --albedo out"},
                                              {"--light=1,2,3,1,.5,1", "leave the colour of --light out"}};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
@@ -296,7 +304,8 @@ static void the_command_line_tells_what_can_shade(void **state)
     assert_one_line(
         assert_ends("$GLINT stream --to usb --shade demo --light=1,2,3 --light=-1,2,3", 2, "one --light")->err);
     assert_one_line(assert_ends("$GLINT stream --to none --frames 1 --shade demo", 2, "--to usb")->err);
-    assert_one_line(assert_ends("$GLINT stream --to usb --shade demo --fps .5", 2, "give --fps 1 or more")->err);
+    assert_one_line(
+        assert_ends("$GLINT stream --to usb --shade demo --fps .5", 2, "may come late; give --fps 1 or more")->err);
     assert_one_line(assert_ends("$GLINT stream --to none --frames 1", 2, "no surface")->err);
     assert_one_line(assert_ends("$GLINT stream coin --to none --frames 1 --lights board", 2, "--shade device")->err);
     assert_one_line(
