@@ -248,6 +248,14 @@ run([
             equal(refusal(() => engine.draw(['--mesh=wrong.obj', '--size=20x20'])), command.refusal(['render', '--mesh=wrong.obj', '--size=20x20', '-o', 'no.png']), text.slice(0, 40))
         }
     }],
+    ['a first line whose lengths are not those of parts of the file is a comment', () => {
+        const engine = new Engine(program), obj = objs['plain.obj'], len = obj.length, half = obj.indexOf('\nf ', len / 2) + 1
+        command.put('comment.obj', obj)
+        for (const lengths of [[half, -half, len], [half, len - half - .5, .5], [len, 0, '0'], [half, 1e300], [len, null], ['', len], [len + 1], [len - 1]]) {
+            engine.addMesh('comment.obj', new Uint8Array(Buffer.from(`#glint ${JSON.stringify(lengths.map((length, i) => [`${i}.mtl`, length]))}\n${obj}`)))
+            same(engine, ['--mesh=comment.obj', '--size=40x40'])
+        }
+    }],
     ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {
         const engine = new Engine(program), { places, normals, uv, colors, indices } = ball(), another = ball([1.2, .4, .3], .7, 11, 7)
         const picture = (type, channels) => png({ width: 24, height: 17, type, depth: 8, sample: (x, y, k) => ((x ^ y) & 4 ? 200 : 40 + 7 * x) + 13 * k * (channels > 2) & 255 })

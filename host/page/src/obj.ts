@@ -26,9 +26,9 @@ export function apart(name: string, file: Uint8Array<ArrayBuffer>): Part[] {
     if (line.startsWith(mark))
         try {
             let at = end + 1
-            const parts = (JSON.parse(line.slice(mark.length)) as [string, number][]).map(([of, length]) => ({ name: String(of), bytes: file.slice(at, at += length) }))
-            if (at === file.length && parts.length)
-                return parts
+            const list = JSON.parse(line.slice(mark.length)) as [unknown, number][]
+            if (list.length && list.every(([, length]) => Number.isInteger(length) && length >= 0) && list.reduce((sum, [, length]) => sum + length, at) === file.length)
+                return list.map(([of, length]) => ({ name: String(of), bytes: file.slice(at, at += length) }))
         } catch { /* a comment of its own */ }
     return [{ name, bytes: file }]
 }
