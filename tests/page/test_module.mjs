@@ -11,7 +11,7 @@ import { ball, clothed, gltf, meshes, objs, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
-const { Engine, lists, readPng, commandLine, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, lists, namedBy, readPng, commandLine, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
 const [models, formats, paths, materials, scenes] = ['--model', '--format', '--path', '--material', '--scene'].map(option => command.choices(option))
@@ -255,6 +255,18 @@ run([
             engine.addMesh('comment.obj', new Uint8Array(Buffer.from(`#glint ${JSON.stringify(lengths.map((length, i) => [`${i}.mtl`, length]))}\n${obj}`)))
             same(engine, ['--mesh=comment.obj', '--size=40x40'])
         }
+    }],
+    ['of the files beside an OBJ go with it its materials, and the pictures whose whole names they have', async () => {
+        const file = (name, text = '') => new File([text], name)
+        const mtl = file('a.mtl', 'newmtl x # b.png\n# c.png \\\nmap_Kd -s 2 2 2 -clamp on maps\\la va.png\r\nmap_Kd lava.png\n  map_Bump -bm .5 two/n.png \nnorm -o 1 2.png')
+        const named = async (...names) => (await namedBy([mtl, ...names.map(name => file(name))])).map(({ name }) => name).join()
+        equal(await named('la va.png', 'lava.png', 'n.png', '2.png'), 'a.mtl,la va.png,lava.png,n.png,2.png', 'named')
+        equal(await named('a.png', 'va.png', 'b.png', 'c.png', 'ava.png', '.png', 'x.obj'), 'a.mtl', 'not named')
+        const refused = async files => namedBy(files).then(() => 'nothing was refused', error => error.message)
+        for (const [name, where] of [['a.mtl', 'OBJ'], ['lava.png', 'MTL']])
+            equal(await refused([mtl, file('lava.png'), file(name)]), `${name}: two of the files have this name; rename one, and change its name in the ${where}`, name)
+        equal(await named('a.png', 'a.png'), 'a.mtl', 'two that it does not name')
+        equal(await refused([Object.assign(file('folder.mtl'), { text: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
     }],
     ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {
         const engine = new Engine(program), { places, normals, uv, colors, indices } = ball(), another = ball([1.2, .4, .3], .7, 11, 7)
