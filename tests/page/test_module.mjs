@@ -268,6 +268,20 @@ run([
         equal(await named('a.png', 'a.png'), 'a.mtl', 'two that it does not name')
         equal(await refused([Object.assign(file('folder.mtl'), { text: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
     }],
+    ['two names of an OBJ that are one file without their folders are warned of', () => {
+        const engine = new Engine(program), texts = Object.entries(clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: x => 30 * x })))
+        const warnings = (mtl, libraries = 'mtllib a/clothed.mtl') => {
+            const files = texts.map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(name === 'clothed.mtl' ? mtl : name === 'clothed.obj' ? bytes.replace(/.*/, libraries) : bytes)) }))
+            engine.addMesh('clothed.obj', together(files))
+            return engine.draw(['--mesh=clothed.obj', '--size=40x40']).warnings.join()
+        }
+        const materials = (one, two) => `newmtl cloth\nmap_Kd ${one}\nnewmtl red\nmap_Kd ${two}\n`
+        const said = (one, two, where = 'MTL') => `clothed.obj: names ${one} and ${two}, which the page takes for one file, since it knows no folders; rename one, and change its name in the ${where}`
+        for (const two of ['blue/cloth.png', 'blue\\cloth.png', 'cloth.png'])
+            equal(warnings(materials('red/cloth.png', two)), said('red/cloth.png', two), two)
+        equal(warnings('', 'mtllib a/clothed.mtl\nmtllib b/clothed.mtl'), said('a/clothed.mtl', 'b/clothed.mtl', 'OBJ'), 'libraries')
+        equal(warnings(materials('./red/cloth.png', 'red\\cloth.png'), 'mtllib clothed.mtl\nmtllib ./clothed.mtl'), '', 'spellings of one name')
+    }],
     ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {
         const engine = new Engine(program), { places, normals, uv, colors, indices } = ball(), another = ball([1.2, .4, .3], .7, 11, 7)
         const picture = (type, channels) => png({ width: 24, height: 17, type, depth: 8, sample: (x, y, k) => ((x ^ y) & 4 ? 200 : 40 + 7 * x) + 13 * k * (channels > 2) & 255 })
