@@ -282,6 +282,15 @@ run([
         equal(warnings('', 'mtllib a/clothed.mtl\nmtllib b/clothed.mtl'), said('a/clothed.mtl', 'b/clothed.mtl', 'OBJ'), 'libraries')
         equal(warnings(materials('./red/cloth.png', 'red\\cloth.png'), 'mtllib clothed.mtl\nmtllib ./clothed.mtl'), '', 'spellings of one name')
     }],
+    ['of an OBJ\'s picture that is no PNG the page says so, not that it is to be dropped', () => {
+        const engine = new Engine(program)
+        for (const [name, sentence] of [...['w.jpg', 'w', 'w.png/w.tga'].map(name => [name, 'but the page reads PNG textures only; convert it to PNG, and change its name in the MTL']), ['w.PNG', 'which is not here: drop or choose it together with the mesh']]) {
+            const files = { ...clothed(''), 'clothed.mtl': `newmtl cloth\nmap_Kd ${name}\n` }
+            delete files['cloth.png']
+            engine.addMesh('clothed.obj', together(Object.entries(files).map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) }))))
+            equal(engine.draw(['--mesh=clothed.obj', '--size=40x40']).warnings.join(), `clothed.obj: names ${name}, ${sentence}`, name)
+        }
+    }],
     ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {
         const engine = new Engine(program), { places, normals, uv, colors, indices } = ball(), another = ball([1.2, .4, .3], .7, 11, 7)
         const picture = (type, channels) => png({ width: 24, height: 17, type, depth: 8, sample: (x, y, k) => ((x ^ y) & 4 ? 200 : 40 + 7 * x) + 13 * k * (channels > 2) & 255 })

@@ -147,6 +147,12 @@ static void check_name(const char *name, const char *where)
     named = at;
 }
 
+static bool ends_in(const char *path, const char *ending)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && strcasecmp(dot, ending) == 0;
+}
+
 static void warn_not_here(const char *name)
 {
     warn("%s: names %s, which is not here: drop or choose it together with the mesh", obj_name, name);
@@ -178,17 +184,15 @@ static void take_pictures(struct soup *soup)
             free(picture.name);
             picture.name = to->name;
             *to = picture;
-        } else {
+        } else if (ends_in(to->name, ".png")) {
             warn_not_here(to->name);
+        } else {
+            warn(
+                "%s: names %s, but the page reads PNG textures only; convert it to PNG, and change its name in the MTL",
+                obj_name, to->name);
         }
         free(key);
     }
-}
-
-static bool is_obj(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".obj") == 0;
 }
 
 static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len, bool textures)
@@ -218,7 +222,7 @@ struct soup *import_soup(const char *path, bool textures, const char *allowed)
         fail("%s: this mesh is not here; drop or choose the file", path);
     if (gltf_is(stl, len))
         return gltf_soup(path, (const void *)stl, textures);
-    if (is_obj(path))
+    if (ends_in(path, ".obj"))
         return obj_of(path, stl, len, textures);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup =
