@@ -86,6 +86,13 @@ run([
         await browser.drop({ 'clothed.mtl': files['clothed.mtl'] })
         await browser.until(() => document.getElementById('refusal').textContent.startsWith('clothed.mtl: these are materials'))
         equal((await shownIsDrawn()).join(' '), state, 'the state after it')
+        await page.evaluate(() => { // as that of a folder does
+            const { text } = Blob.prototype
+            Blob.prototype.text = function () { return this.name === 'folder.mtl' ? Promise.reject(new Error('no file')) : text.call(this) }
+        })
+        await browser.drop({ ...files, 'folder.mtl': '' })
+        await browser.until(() => document.getElementById('refusal').textContent === 'folder.mtl: cannot be read (no file); is it a folder?')
+        equal((await shownIsDrawn()).join(' '), state, 'the state after a folder')
     }],
     ['a mesh wears a dropped PNG as the command draws it; other pictures are refused with a word', async () => {
         await browser.go(start.replace('coin', 'teapot'))

@@ -11,7 +11,7 @@ import { ball, clothed, gltf, meshes, objs, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
-const { Engine, lists, readPng, commandLine, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, lists, namedBy, readPng, commandLine, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
 const [models, formats, paths, materials, scenes] = ['--model', '--format', '--path', '--material', '--scene'].map(option => command.choices(option))
@@ -246,6 +246,49 @@ run([
             command.put('wrong.obj', text || '#')
             engine.addMesh('wrong.obj', new Uint8Array(Buffer.from(text || '#')))
             equal(refusal(() => engine.draw(['--mesh=wrong.obj', '--size=20x20'])), command.refusal(['render', '--mesh=wrong.obj', '--size=20x20', '-o', 'no.png']), text.slice(0, 40))
+        }
+    }],
+    ['a first line whose lengths are not those of parts of the file is a comment', () => {
+        const engine = new Engine(program), obj = objs['plain.obj'], len = obj.length, half = obj.indexOf('\nf ', len / 2) + 1
+        command.put('comment.obj', obj)
+        for (const lengths of [[half, -half, len], [half, len - half - .5, .5], [len, 0, '0'], [half, 1e300], [len, null], ['', len], [len + 1], [len - 1]]) {
+            engine.addMesh('comment.obj', new Uint8Array(Buffer.from(`#glint ${JSON.stringify(lengths.map((length, i) => [`${i}.mtl`, length]))}\n${obj}`)))
+            same(engine, ['--mesh=comment.obj', '--size=40x40'])
+        }
+    }],
+    ['of the files beside an OBJ go with it its materials, and the pictures whose whole names they have', async () => {
+        const file = (name, text = '') => new File([text], name)
+        const mtl = file('a.mtl', 'newmtl x # b.png\n# c.png \\\nmap_Kd -s 2 2 2 -clamp on maps\\la va.png\r\nmap_Kd lava.png\n  map_Bump -bm .5 two/n.png \nnorm -o 1 2.png')
+        const named = async (...names) => (await namedBy([mtl, ...names.map(name => file(name))])).map(({ name }) => name).join()
+        equal(await named('la va.png', 'lava.png', 'n.png', '2.png'), 'a.mtl,la va.png,lava.png,n.png,2.png', 'named')
+        equal(await named('a.png', 'va.png', 'b.png', 'c.png', 'ava.png', '.png', 'x.obj'), 'a.mtl', 'not named')
+        const refused = async files => namedBy(files).then(() => 'nothing was refused', error => error.message)
+        for (const [name, where] of [['a.mtl', 'OBJ'], ['lava.png', 'MTL']])
+            equal(await refused([mtl, file('lava.png'), file(name)]), `${name}: two of the files have this name; rename one, and change its name in the ${where}`, name)
+        equal(await named('a.png', 'a.png'), 'a.mtl', 'two that it does not name')
+        equal(await refused([Object.assign(file('folder.mtl'), { text: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
+    }],
+    ['two names of an OBJ that are one file without their folders are warned of', () => {
+        const engine = new Engine(program), texts = Object.entries(clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: x => 30 * x })))
+        const warnings = (mtl, libraries = 'mtllib a/clothed.mtl') => {
+            const files = texts.map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(name === 'clothed.mtl' ? mtl : name === 'clothed.obj' ? bytes.replace(/.*/, libraries) : bytes)) }))
+            engine.addMesh('clothed.obj', together(files))
+            return engine.draw(['--mesh=clothed.obj', '--size=40x40']).warnings.join()
+        }
+        const materials = (one, two) => `newmtl cloth\nmap_Kd ${one}\nnewmtl red\nmap_Kd ${two}\n`
+        const said = (one, two, where = 'MTL') => `clothed.obj: names ${one} and ${two}, which the page takes for one file, since it knows no folders; rename one, and change its name in the ${where}`
+        for (const two of ['blue/cloth.png', 'blue\\cloth.png', 'cloth.png'])
+            equal(warnings(materials('red/cloth.png', two)), said('red/cloth.png', two), two)
+        equal(warnings('', 'mtllib a/clothed.mtl\nmtllib b/clothed.mtl'), said('a/clothed.mtl', 'b/clothed.mtl', 'OBJ'), 'libraries')
+        equal(warnings(materials('./red/cloth.png', 'red\\cloth.png'), 'mtllib clothed.mtl\nmtllib ./clothed.mtl'), '', 'spellings of one name')
+    }],
+    ['of an OBJ\'s picture that is no PNG the page says so, not that it is to be dropped', () => {
+        const engine = new Engine(program)
+        for (const [name, sentence] of [...['w.jpg', 'w', 'w.png/w.tga'].map(name => [name, 'but the page reads PNG textures only; convert it to PNG, and change its name in the MTL']), ['w.PNG', 'which is not here: drop or choose it together with the mesh']]) {
+            const files = { ...clothed(''), 'clothed.mtl': `newmtl cloth\nmap_Kd ${name}\n` }
+            delete files['cloth.png']
+            engine.addMesh('clothed.obj', together(Object.entries(files).map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) }))))
+            equal(engine.draw(['--mesh=clothed.obj', '--size=40x40']).warnings.join(), `clothed.obj: names ${name}, ${sentence}`, name)
         }
     }],
     ['glTF files that hold all they need are drawn and baked as the command does: colours, materials, textures', () => {

@@ -80,29 +80,95 @@ struct mesh_picture import_picture(const char *path)
 
 static const char *obj_name;
 
+static bool is_separator(char c)
+{
+    return c == '/' || c == '\\';
+}
+
+static const char *base_of(const char *name)
+{
+    for (const char *at = name; *at; at++)
+        if (is_separator(*at))
+            name = at + 1;
+    return name;
+}
+
 /* What came with the OBJ has its name before its own, without folders. */
 static char *key_of(const char *name)
 {
     char *key;
-    for (const char *at = name; *at; at++)
-        if (*at == '/' || *at == '\\')
-            name = at + 1;
-    if (asprintf(&key, "%s/%s", obj_name, name) < 0)
+    if (asprintf(&key, "%s/%s", obj_name, base_of(name)) < 0)
         fail("out of memory");
     return key;
 }
 
-static const char not_here[] = "is not here: drop or choose it together with the mesh";
+/* The first name of each file that came with the OBJ. */
+static struct named {
+    char *name;
+    struct named *next;
+} * named;
+
+static void forget_names(void)
+{
+    while (named) {
+        struct named *first = named;
+        named = first->next;
+        free(first->name);
+        free(first);
+    }
+}
+
+static bool is_same(const char *a, const char *b)
+{
+    a += a[0] == '.' && is_separator(a[1]) ? 2 : 0;
+    b += b[0] == '.' && is_separator(b[1]) ? 2 : 0;
+    for (; *a && (*a == *b || (is_separator(*a) && is_separator(*b))); a++)
+        b++;
+    return *a == *b;
+}
+
+/* In other folders they are other files. */
+static void check_name(const char *name, const char *where)
+{
+    struct named *at = named;
+    while (at && strcmp(base_of(at->name), base_of(name)) != 0)
+        at = at->next;
+    if (at) {
+        if (!is_same(at->name, name))
+            warn("%s: names %s and %s, which the page takes for one file, since it knows no folders; rename one, and "
+                 "change its name in the %s",
+                 obj_name, at->name, name, where);
+        return;
+    }
+    at = allocate(1, sizeof *at);
+    *at = (struct named){strdup(name), named};
+    if (!at->name)
+        fail("out of memory");
+    named = at;
+}
+
+static bool ends_in(const char *path, const char *ending)
+{
+    const char *dot = strrchr(path, '.');
+    return dot && strcasecmp(dot, ending) == 0;
+}
+
+static void warn_not_here(const char *name)
+{
+    warn("%s: names %s, which is not here: drop or choose it together with the mesh", obj_name, name);
+}
 
 static void read_library(struct obj_materials *materials, const char *name)
 {
     size_t len;
     char *key = key_of(name);
     const uint8_t *text = files_mesh(key, &len);
-    if (text)
+    if (text) {
+        check_name(name, "OBJ");
         obj_materials_read(materials, (const char *)text, len);
-    else
-        warn("%s: names %s, which %s", obj_name, name, not_here);
+    } else {
+        warn_not_here(name);
+    }
     free(key);
 }
 
@@ -113,21 +179,20 @@ static void take_pictures(struct soup *soup)
         struct mesh_picture *to = &soup->pictures[i];
         char *key = key_of(to->name);
         if (files_has_image(key)) {
+            check_name(to->name, "MTL");
             struct mesh_picture picture = import_picture(key);
             free(picture.name);
             picture.name = to->name;
             *to = picture;
+        } else if (ends_in(to->name, ".png")) {
+            warn_not_here(to->name);
         } else {
-            warn("%s: names %s, which %s", obj_name, to->name, not_here);
+            warn(
+                "%s: names %s, but the page reads PNG textures only; convert it to PNG, and change its name in the MTL",
+                obj_name, to->name);
         }
         free(key);
     }
-}
-
-static bool is_obj(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcasecmp(dot, ".obj") == 0;
 }
 
 static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len, bool textures)
@@ -135,6 +200,7 @@ static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len, b
     const struct obj_source source = {(const char *)bytes, len, textures, read_library};
     char wrong[120];
     obj_name = path;
+    forget_names();
     struct soup *soup = obj_soup(&source, wrong);
     if (!soup)
         fail("%s: glint cannot read this mesh: %s", path, wrong);
@@ -156,7 +222,7 @@ struct soup *import_soup(const char *path, bool textures, const char *allowed)
         fail("%s: this mesh is not here; drop or choose the file", path);
     if (gltf_is(stl, len))
         return gltf_soup(path, (const void *)stl, textures);
-    if (is_obj(path))
+    if (ends_in(path, ".obj"))
         return obj_of(path, stl, len, textures);
     struct soup *soup = allocate(1, sizeof *soup);
     *soup =

@@ -69,7 +69,15 @@ function kindOf(name: string): Kind {
 
 /** An OBJ with what it names; of the others each for itself, or the first one, for a row. */
 async function takeAll(all: File[], row?: Kind): Promise<void> {
-    const obj = all.find(({ name }) => isObj(name)), named = obj ? await namedBy(all) : []
+    const obj = all.find(({ name }) => isObj(name))
+    let named: File[] = []
+    try {
+        named = obj ? await namedBy(all) : []
+    } catch (error) {
+        await settled()
+        say((error as Error).message)
+        return
+    }
     const files = all.filter(file => !named.includes(file)).map(file => ({ file, kind: row ?? kindOf(file.name) }))
     files.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind)) // the surface first, which clears the others
     for (const { file, kind } of row ? obj ? [{ file: obj, kind: row }] : files.slice(0, 1) : files)

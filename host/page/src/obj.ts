@@ -26,15 +26,35 @@ export function apart(name: string, file: Uint8Array<ArrayBuffer>): Part[] {
     if (line.startsWith(mark))
         try {
             let at = end + 1
-            const parts = (JSON.parse(line.slice(mark.length)) as [string, number][]).map(([of, length]) => ({ name: String(of), bytes: file.slice(at, at += length) }))
-            if (at === file.length && parts.length)
-                return parts
+            const list = JSON.parse(line.slice(mark.length)) as [unknown, number][]
+            if (list.length && list.every(([, length]) => Number.isInteger(length) && length >= 0) && list.reduce((sum, [, length]) => sum + length, at) === file.length)
+                return list.map(([of, length]) => ({ name: String(of), bytes: file.slice(at, at += length) }))
         } catch { /* a comment of its own */ }
     return [{ name, bytes: file }]
 }
 
-/** Of the files beside an OBJ: its materials, and the pictures that they name. */
+/** The files that an MTL names, without folders: behind a line's first word and its options. */
+function namesIn(mtl: string): string[] {
+    const options = /^(?:(?:-(?:mm|[ost])(?:\s+[-+.\de]+(?=\s))+|-\w+\s+\S+)\s+)*/i
+    return mtl.replace(/^[ \t]*#.*/gm, '').replace(/\\(\r\n?|\n)/g, ' ').split(/[\r\n]+/).map(line => line.trim().replace(/^\S+\s*/, '').replace(options, '').replace(/^.*[/\\]/, ''))
+}
+
+async function textOf(file: File): Promise<string> {
+    try {
+        return await file.text()
+    } catch (error) {
+        throw new Error(`${file.name}: cannot be read (${(error as Error).message}); is it a folder?`)
+    }
+}
+
+/** Of the files beside an OBJ: its materials, and the pictures that they name. Throws where two have one name. */
 export async function namedBy(files: File[]): Promise<File[]> {
-    const libraries = files.filter(({ name }) => /\.mtl$/i.test(name)), texts = await Promise.all(libraries.map(file => file.text()))
-    return [...libraries, ...files.filter(({ name }) => /\.png$/i.test(name) && texts.some(text => text.includes(name)))]
+    const libraries = files.filter(({ name }) => /\.mtl$/i.test(name)), names = new Set((await Promise.all(libraries.map(textOf))).flatMap(namesIn))
+    const named = [...libraries, ...files.filter(({ name }) => /\.png$/i.test(name) && names.has(name))], had = new Set<string>()
+    for (const { name } of named) {
+        if (had.has(name))
+            throw new Error(`${name}: two of the files have this name; rename one, and change its name in the ${/\.mtl$/i.test(name) ? 'OBJ' : 'MTL'}`)
+        had.add(name)
+    }
+    return named
 }
