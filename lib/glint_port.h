@@ -72,7 +72,7 @@
 /* 1: the exact line of RGB565 under MSH, and INT8 normals over COLOUR tables, by loops of fused_riscv.c: where RISC-V has multiplication. 0: by those
  * of any machine. */
 #ifndef GLINT_RISCV
-#if defined(__riscv_mul) && __riscv_xlen == 32
+#if defined(__riscv_mul) && __riscv_xlen == 32 && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
 #define GLINT_RISCV 1
 #else
 #define GLINT_RISCV 0

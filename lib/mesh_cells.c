@@ -488,7 +488,7 @@ static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cell
                                            (uint32_t)strip->surface->pixels - (uint32_t)strip->depth,
                                            look.colours,
                                            look.dark,
-                                           rim->is & GLINT_RIM_GROWS ? 255 : 0,
+                                           rim->is & GLINT_RIM_GROWS ? 255u : 0u,
                                            cells->cell.z,
                                            rim->depth,
                                            (uint32_t)rim->e};

@@ -93,6 +93,9 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
     const bool takes_maps = GLINT_FLASH_POINTER(paint->of.tables.filled.use->shiny) != NULL;
     if (!albedo != !takes_albedo || (maps && (maps->grain || (!takes_maps && (maps->gloss || maps->shininess)))))
         return GLINT_ERR_ARG;
+    const uint32_t n = paint->of.tables.filled.n; /* of tables from flash it may be anything */
+    if (maps && maps->shininess && (n == 0 || n > GLINT_N_MAX))
+        return GLINT_ERR_ARG;
     if (albedo && maps->albedo_format != GLINT_RGB565)
         return GLINT_ERR_FORMAT;
     if (albedo && (GLINT_MISALIGNED(albedo, 16) || (h > 1 && GLINT_MISALIGNED(maps->albedo_stride, 16))))
@@ -160,11 +163,12 @@ static __attribute__((noinline)) void tables_shiny_rect(const struct glint_paint
 {
     const struct glint_vec l = {paint->l.x, paint->l.y, paint->l.z}, h = {paint->h.x, paint->h.y, paint->h.z};
     const bool is_int8 = lines->maps->normals_format == GLINT_NORMALS_INT8;
-    const uint32_t *word = (const uint32_t *)(const void *)lines->normals + lines->run.x;
-    const struct glint_vec *vec = (const struct glint_vec *)(const void *)lines->normals + lines->run.x;
+    const unsigned bytes = is_int8 ? 4 : sizeof(struct glint_vec);
+    const uint8_t *normal = (const uint8_t *)lines->normals + bytes * lines->run.x;
     const uint8_t *code = tables_codes(lines);
-    for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, vec++, word++) {
-        const struct glint_vec n = is_int8 ? glint_int8_normal(*word) : *vec;
+    for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, normal += bytes) {
+        const struct glint_vec n = is_int8 ? glint_int8_normal(*(const uint32_t *)(const void *)normal)
+                                           : *(const struct glint_vec *)(const void *)normal;
         const struct glint_raw at = glint_raw_of(&n, &l, &h, 0);
         *raw = at.nl_q30 < 0 ? at : tables_scaled(lines, at, 0 - at.back, *code);
         code++;

@@ -232,6 +232,29 @@ static void full_gloss_draws_what_no_map_does_and_coverage_blends_what_the_maps_
     }
 }
 
+/* As tables that were written by hand may be. */
+static void shininess_over_tables_whose_own_is_none_is_an_error(void **state)
+{
+    (void)state;
+    static const uint16_t none[] = {0, GLINT_N_MAX + 1, UINT16_MAX};
+    for (unsigned i = 0; i < 9; i++) {
+        const enum kind kind = (enum kind)(i % 3);
+        const struct look s = look_of(kind);
+        struct glint_paint paint;
+        paint_of_tables(&paint, of_kind(kind), &s, memory);
+        random_surface(&scene_normals, GLINT_NORMALS_INT16, &s);
+        random_maps();
+        struct glint_maps maps = maps_of(&scene_normals, GLINT_NORMALS_INT16);
+        uint16_t out[WIDE * LINES];
+        const struct glint_surface surface = {out, 2 * WIDE, 0, 0};
+        paint.of.tables.filled.n = none[i / 3];
+        add_maps(&maps, kind, true, true);
+        assert_int_equal(glint_draw_rect(&paint, &maps, WIDE, LINES, &surface, NULL), GLINT_ERR_ARG);
+        add_maps(&maps, kind, true, false);
+        assert_int_equal(glint_draw_rect(&paint, &maps, WIDE, LINES, &surface, NULL), GLINT_OK);
+    }
+}
+
 /* ---- How near ---- */
 
 enum { SIDE = 96 };
@@ -313,6 +336,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangles_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_sequence),
         cmocka_unit_test(spans_by_maps_of_gloss_and_shininess_have_the_pixels_of_their_sequence),
+        cmocka_unit_test(shininess_over_tables_whose_own_is_none_is_an_error),
         cmocka_unit_test(full_gloss_draws_what_no_map_does_and_coverage_blends_what_the_maps_draw),
         cmocka_unit_test(
             filtered_maps_by_tables_are_within_2_steps_of_green_of_the_exact_paint_or_3_by_schlick_and_cayley),
