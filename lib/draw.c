@@ -138,11 +138,11 @@ static void draw_exactly(const struct glint_paint *paint, struct glint_lines *li
     glint_bounds_box(&bounds, highlight);
 }
 
-/* In one loop, where there is one. */
-static void draw_one_light(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
-                           uint32_t h, struct glint_box *highlight)
+/* A span in one loop, where there is one. */
+static void draw_walked(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
+                        struct glint_box *highlight)
 {
-    if ((at && !GLINT_LINE_SPANS) || !glint_fused_lines(paint, lines, at, h, highlight))
+    if (!glint_fused_lines(paint, lines, at, h, highlight))
         draw_exactly(paint, lines, at, h, highlight);
 }
 
@@ -224,14 +224,14 @@ enum glint_err glint_draw_rect_by(const struct glint_paint *paint, const struct 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = draw_one_light;
+    lines.draw = draw_exactly;
     lines.source = draw_normals;
     lines.w = w;
     lines.has_gaps = maps->normals_format == GLINT_NORMALS_INT8;
     enum glint_err err = draw_begin(&lines, paint, h, true);
     if (!err)
         err = draw_check(paint, maps, w, h, target);
-    if (!err)
+    if (!err && (lines.draw != draw_exactly || !glint_fused_lines(paint, &lines, NULL, h, highlight)))
         lines.draw(paint, &lines, NULL, h, highlight);
     return err;
 }
@@ -246,7 +246,7 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = draw_one_light;
+    lines.draw = GLINT_LINE_SPANS ? draw_walked : draw_exactly;
     lines.source = glint_lines_walk;
     lines.w = span->w;
     lines.has_gaps = false;

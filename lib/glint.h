@@ -11,7 +11,7 @@
  *              n: shininess, 1..1000.   q: a highlight below 2^-q counts as 0; 0..16.
  * Clamping     Lobes clamp n and q. c < 0 or t > 1 (back-facing) gives 0, c > 1 counts as 1. An unknown model gives 0.
  * Re-entrancy  No global state, no heap, no writable data. Interrupts and threads may call it, and share a struct where it is const.
- * Stack        At most 1,300 bytes for any call (`make test-targets` checks it).
+ * Stack        At most 1,300 bytes for any call, 1,600 with Helium (`make test-targets` checks it).
  * Memory       Constants stay in flash, also on AVR and the ESP8266. COSTS.md has their bytes.
  * Integers     sequence.md has the integers of every path, bit by bit.
  * Sources      Equation numbers are those of Zavalniuk et al. 2022, DOI 10.31649/1999-9941-2022-55-3-4-12.

@@ -35,7 +35,6 @@ struct glint_lines {
     uint16_t count;       /* its pixels */
     int16_t grain[2];     /* which way it runs, where that is the same everywhere: set by grain alone */
     const uint8_t *normals, *albedo, *gloss; /* of the line, or NULL */
-    uint32_t m_max, inverse;                 /* of tables by maps: n t_max, Q22; 2^31 / n */
 };
 
 /* Begins line y. */

@@ -142,12 +142,23 @@ static void tables_raws(const struct glint_paint *paint, const struct glint_line
 
 /* Of a pixel's own n: F is nearly that of the tables where m = n t is theirs; in models that know n and t by m alone, it is. So t is scaled: m
  * is counted back from what it is at t_max, Q22. */
+struct tables_scale {
+    uint32_t m_max, inverse; /* n t_max, Q22; 2^31 / n */
+};
+
+static inline __attribute__((always_inline)) struct tables_scale tables_scale_of(const struct glint_paint *paint)
+{
+    const uint32_t n = paint->of.tables.filled.n;
+    const struct tables_scale scale = {(paint->of.tables.filled.t_max_q30 >> 8) * n, (((uint32_t)1 << 31) + n / 2) / n};
+    return scale;
+}
+
 static inline __attribute__((always_inline)) struct glint_raw
-tables_scaled(const struct glint_lines *lines, struct glint_raw raw, uint32_t t_q30, uint8_t code)
+tables_scaled(const struct tables_scale *scale, struct glint_raw raw, uint32_t t_q30, uint8_t code)
 {
     const uint32_t m = (t_q30 >> 8) * glint_shininess_n(code);
-    raw.back = t_q30 > GLINT_T_ONE || m > lines->m_max ? GLINT_RAW_OUTSIDE
-                                                       : glint_mulhi_near(lines->m_max - m, lines->inverse) << 9;
+    raw.back = t_q30 > GLINT_T_ONE || m > scale->m_max ? GLINT_RAW_OUTSIDE
+                                                       : glint_mulhi_near(scale->m_max - m, scale->inverse) << 9;
     return raw;
 }
 
@@ -166,11 +177,12 @@ static __attribute__((noinline)) void tables_shiny_rect(const struct glint_paint
     const unsigned bytes = is_int8 ? 4 : sizeof(struct glint_vec);
     const uint8_t *normal = (const uint8_t *)lines->normals + bytes * lines->run.x;
     const uint8_t *code = tables_codes(lines);
+    const struct tables_scale scale = tables_scale_of(paint);
     for (const struct glint_raw *end = raw + lines->count; raw != end; raw++, normal += bytes) {
         const struct glint_vec n = is_int8 ? glint_int8_normal(*(const uint32_t *)(const void *)normal)
                                            : *(const struct glint_vec *)(const void *)normal;
         const struct glint_raw at = glint_raw_of(&n, &l, &h, 0);
-        *raw = at.nl_q30 < 0 ? at : tables_scaled(lines, at, 0 - at.back, *code);
+        *raw = at.nl_q30 < 0 ? at : tables_scaled(&scale, at, 0 - at.back, *code);
         code++;
     }
 }
@@ -180,9 +192,10 @@ void glint_tables_shiny(const struct glint_paint *paint, const struct glint_line
 {
     if (at) {
         const uint8_t *const codes = tables_codes(lines);
+        const struct tables_scale scale = tables_scale_of(paint);
         glint_raws_walk(at, INT32_MAX, raws, lines->count);
         for (unsigned i = 0; i < lines->count; i++)
-            raws[i] = tables_scaled(lines, raws[i], INT32_MAX - raws[i].back, codes[i]);
+            raws[i] = tables_scaled(&scale, raws[i], INT32_MAX - raws[i].back, codes[i]);
     } else {
         tables_shiny_rect(paint, lines, raws);
     }
@@ -210,11 +223,6 @@ static __attribute__((noinline)) void tables_runs(const struct glint_paint *pain
     uint32_t walked = 0;
     glint_bounds_begin(&bounds);
     lines->most = GLINT_RUN;
-    if (shines_its_way) {
-        const uint32_t n = paint->of.tables.filled.n;
-        lines->m_max = (paint->of.tables.filled.t_max_q30 >> 8) * n;
-        lines->inverse = (((uint32_t)1 << 31) + n / 2) / n;
-    }
     for (uint32_t y = 0; y < h; y++)
         for (glint_lines_set(lines, y); glint_lines_next(lines); run->x += lines->count) {
             if (!draws && bounds.bottom == y && run->x >= bounds.left && run->x + lines->count <= bounds.right + 1u)

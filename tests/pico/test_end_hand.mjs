@@ -56,7 +56,7 @@ await run([
     const [x, y, z] = shown()
     check(Math.abs(x + 2 * y) <= 2 && Math.abs(z - 2 * x) <= 2 && x > 0, `the light is ${[x, y, z]}`)
     judge.same(board.look(), judge.scene('watchface', [x, y, z]), 'the picture')
-    await board.serve(() => pico.uart.endsWith('a computer draws\r\n'), 10, 'the kernel\'s display after the last light')
+    await board.serve(() => pico.uart.endsWith('a computer draws\r\n'), 60, 'the kernel\'s display after the last light')
   }],
   ['a sensor that no longer answers ends the stream with a sentence', async () => {
     imu.fault = 'hangs'

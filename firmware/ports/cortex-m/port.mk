@@ -6,6 +6,7 @@ cortex-m_LINK = -nostdlib -T
 cortex-m_RUN = qemu-system-arm -display none -semihosting-config enable=on,target=native -M % -kernel
 cortex-m_RP2040JS = node tests/targets/rp2040.mjs build/bench/npm
 cortex-m_STACK = 1300
+cortex-m_STACK_mps3-an547 = 1600
 cortex-m_BOARDS = microbit rp2040 rp2040-asm mps2-an385 mps2-an386 mps2-an386-c mps2-an500 mps2-an500-c mps2-an505 mps2-an505-c mps3-an547
 
 cortex-m_CORE_microbit = cortex-m0
