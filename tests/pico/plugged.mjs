@@ -10,6 +10,7 @@ import { UsbHost } from './usb_host.mjs'
 import { UsbIp } from './usbip.mjs'
 
 const VHCI = '/sys/devices/platform/vhci_hcd.0', PORT = 0, DEVICE_ID = 1, SPEED_FULL = 2
+const HANGS = 300 // seconds: whatever works is done by then, also on a busy machine
 
 export class Plugged {
   // done(endpoint) is called after each bulk transfer; fit(pico) puts on the board, before it runs, what is on it beside the panel.
@@ -51,21 +52,21 @@ export class Plugged {
     this.pico.run(() => false, 1)
     return this.judge.look(this.pico.wires.transcript())
   }
-  // Emulates and serves the kernel until done(), at most so many seconds.
-  async serve(done, seconds, what) {
-    const end = Date.now() + 1000 * seconds
+  // Emulates and serves the kernel until done().
+  async serve(done, what) {
+    const end = Date.now() + 1000 * HANGS
     for (;;) {
       if (await done()) return
-      check(Date.now() < end, `${what}: not in ${seconds} s; the board says ${JSON.stringify(this.pico.uart)}`)
+      check(Date.now() < end, `${what}: not in ${HANGS} s; the board says ${JSON.stringify(this.pico.uart)}`)
       await new Promise((resolve) => setImmediate(resolve))
       if (!this.bridge.step()) this.pico.run(() => false, 0.5)
     }
   }
   // The same until a promise is kept; its value or its error.
-  async during(promise, seconds, what) {
+  async during(promise, what) {
     let outcome
     promise.then((value) => { outcome = { value } }, (error) => { outcome = { error } })
-    await this.serve(() => outcome, seconds, what)
+    await this.serve(() => outcome, what)
     if (outcome.error) throw outcome.error
     return outcome.value
   }
@@ -78,9 +79,9 @@ export class Plugged {
     child.on('close', (code) => { command.status = code })
     return command
   }
-  async command(words, seconds, status = 0) {
+  async command(words, status = 0) {
     const command = this.start_command(words)
-    try { await this.serve(() => command.status !== undefined, seconds, words.join(' ')) } finally { if (command.status === undefined) command.child.kill() }
+    try { await this.serve(() => command.status !== undefined, words.join(' ')) } finally { if (command.status === undefined) command.child.kill() }
     equal(command.status, status, `the exit status of ${words.join(' ')}, which says ${JSON.stringify(command.text)}`)
     return command.text
   }

@@ -31,8 +31,8 @@ const lit = (transcript) => Buffer.concat([transcript, Buffer.from('C\x29B\x01',
 
 await run([
   ['the kernel\'s driver for USB displays takes the board for one, and its other interface for none', async () => {
-    await serve(() => existsSync('/dev/fb0'), 60, '/dev/fb0')
-    await serve(() => pico.uart.endsWith('a computer draws\r\n'), 30, 'the hand-over')
+    await serve(() => existsSync('/dev/fb0'), '/dev/fb0')
+    await serve(() => pico.uart.endsWith('a computer draws\r\n'), 'the hand-over')
     check(!existsSync('/dev/fb1'), 'there is a second frame buffer')
     equal(readFileSync('/sys/class/graphics/fb0/virtual_size', 'utf8').trim(), `${width},${height}`, 'its size')
   }],
@@ -41,27 +41,27 @@ await run([
     const pixels = picture565(width, height, 77)
     writeSync(openSync('/dev/fb0', 'w'), pixels)
     const wanted = shown565(pixels)
-    await serve(() => !bridge.queue.length && look().equals(wanted), 60, 'the picture')
+    await serve(() => !bridge.queue.length && look().equals(wanted), 'the picture')
   }],
   ['the kernel dims its backlight', async () => {
     const folder = `/sys/class/backlight/${readdirSync('/sys/class/backlight')[0]}`
     equal(+readFileSync(`${folder}/max_brightness`, 'utf8'), 100, 'the brightest')
     for (const [percent, shines] of [[40, 16], [0, 1], [100, 100]]) {
       writeFileSync(`${folder}/brightness`, `${percent}`)
-      await serve(() => !bridge.queue.length && Math.abs(pico.brightness() - shines) < 0.5, 30, `${percent} percent`)
+      await serve(() => !bridge.queue.length && Math.abs(pico.brightness() - shines) < 0.5, `${percent} percent`)
     }
   }],
   ['glint list finds it by its name', async () => {
-    const text = await command([glint, 'list', '--json'], 30)
+    const text = await command([glint, 'list', '--json'])
     check(text.includes(`${width}`) && /glint|ST7789/.test(text), text)
   }],
   ['glint stream, by libusb, draws every frame as glint draws it into files', async () => {
     const FRAMES = 3
     const scene = ['stream', 'coin', `--size=${width}x${height}`, '--format=rgb565', '--fps=0', `--frames=${FRAMES}`]
     const files = `${process.env.TMPDIR ?? '/tmp'}/end-%d.ppm`
-    await command([glint, ...scene, '--to=ppm', '-o', files], 60)
+    await command([glint, ...scene, '--to=ppm', '-o', files])
     collects = true
-    await command([glint, ...scene, '--to=usb', '--detach'], 120)
+    await command([glint, ...scene, '--to=usb', '--detach'])
     collects = false
     let at = 0
     for (let i = 0; i < FRAMES; i++) {
@@ -74,10 +74,10 @@ await run([
     const FRAMES = 12
     const scene = ['stream', '--height=tests/data/rockwall-height.png', `--size=${width}x${height}`, '--fps=0', `--frames=${FRAMES}`]
     const files = `${process.env.TMPDIR ?? '/tmp'}/shade-%d.ppm`
-    await command([glint, ...scene, '--format=rgb565', '--path=colour-int8', '--to=ppm', '-o', files], 60)
+    await command([glint, ...scene, '--format=rgb565', '--path=colour-int8', '--to=ppm', '-o', files])
     frames.length = 0
     collects_frames = true
-    const text = await command([glint, ...scene, '--to=usb', '--shade=device', '--json'], 120)
+    const text = await command([glint, ...scene, '--to=usb', '--shade=device', '--json'])
     collects_frames = false
     const wanted = Array.from({ length: FRAMES }, (_, i) => readFileSync(files.replace('%d', i)))
     equal(frames.length, FRAMES, `frames on the panel; glint says ${text}`)
@@ -87,9 +87,9 @@ await run([
     check(existsSync('/dev/fb0'), 'the kernel\'s driver has lost the display')
   }],
   ['the kernel\'s driver has the display back afterwards', async () => {
-    await serve(() => existsSync('/dev/fb0'), 30, '/dev/fb0')
+    await serve(() => existsSync('/dev/fb0'), '/dev/fb0')
     const pixels = picture565(width, height, 78), wanted = shown565(pixels)
     writeSync(openSync('/dev/fb0', 'w'), pixels)
-    await serve(() => !bridge.queue.length && look().equals(wanted), 60, 'the picture')
+    await serve(() => !bridge.queue.length && look().equals(wanted), 'the picture')
   }],
 ])

@@ -27,10 +27,10 @@ const files = `${process.env.TMPDIR ?? '/tmp'}/pose-%d.ppm`
 
 await run([
   [`glint stream ${mesh ? '--mesh FILE' : 'teapot'} --shade device sends 28 bytes a frame, and the panel shows what glint draws, bit for bit`, async () => {
-    await board.serve(() => existsSync('/dev/fb0'), 60, 'the kernel\'s driver')
+    await board.serve(() => existsSync('/dev/fb0'), 'the kernel\'s driver')
     const scene = ['stream', mesh ? `--mesh=${mesh}` : 'teapot', '--fps=60', `--frames=${FRAMES}`, '--period=1']
-    await board.command([glint, ...scene, '--split=180', `--size=${width}x${height}`, '--format=rgb565', '--path=colour-int8', '--no-outlines', '--to=ppm', '-o', files], 60)
-    const text = await board.command([glint, ...scene, '--to=usb', '--shade=device', '--json'], 120)
+    await board.command([glint, ...scene, '--split=180', `--size=${width}x${height}`, '--format=rgb565', '--path=colour-int8', '--no-outlines', '--to=ppm', '-o', files])
+    const text = await board.command([glint, ...scene, '--to=usb', '--shade=device', '--json'])
     equal(frames.length, FRAMES, `frames on the panel; glint says ${text}`)
     frames.forEach((length, i) => {
       const file = readFileSync(files.replace('%d', i))
@@ -41,7 +41,7 @@ await run([
   ['a mesh that the board does not hold, and a map, which it does not take, are refused in one line', async () => {
     const other = `${process.env.TMPDIR ?? '/tmp'}/other.obj`
     writeFileSync(other, 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n')
-    const text = await board.command([glint, 'stream', `--mesh=${other}`, '--to=usb', '--shade=device', '--frames=1'], 60, 1)
+    const text = await board.command([glint, 'stream', `--mesh=${other}`, '--to=usb', '--shade=device', '--frames=1'], 1)
     check((mesh ? /holds another mesh, of 1878 vertices and 3674 triangles; / : /holds another mesh, of 530 vertices and 992 triangles; /).test(text) &&
       / build the board's firmware with MESH=\/.*other.obj$/m.test(text), text)
     // What a board cannot draw: two materials, colours of vertices, textures.
@@ -51,12 +51,12 @@ await run([
     writeFileSync(`${scratch}/coloured.obj`, 'v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nv 0 0 1 1 1 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n')
     for (const [file, words] of [['two', 'in one material, and this one has 2; leave it out'],
       ['coloured', "in one colour, and this one has its vertices'; leave it out, or give one by --color"]]) {
-      const said = await board.command([glint, 'stream', `--mesh=${scratch}/${file}.obj`, '--to=usb', '--shade=device', '--frames=1'], 60, 1)
+      const said = await board.command([glint, 'stream', `--mesh=${scratch}/${file}.obj`, '--to=usb', '--shade=device', '--frames=1'], 1)
       check(said.trimEnd().endsWith(words), said)
     }
-    const textured = await board.command([glint, 'stream', 'teapot', '--texture=tests/data/rockwall-albedo.png', '--to=usb', '--shade=device', '--frames=1'], 60, 1)
+    const textured = await board.command([glint, 'stream', 'teapot', '--texture=tests/data/rockwall-albedo.png', '--to=usb', '--shade=device', '--frames=1'], 1)
     check(textured.trimEnd().endsWith('this one has textures; leave it out, or give --no-textures'), textured)
-    const map = await board.command([glint, 'stream', '--height=tests/data/rockwall-height.png', '--to=usb', '--shade=device', '--frames=1'], 60, 1)
+    const map = await board.command([glint, 'stream', '--height=tests/data/rockwall-height.png', '--to=usb', '--shade=device', '--frames=1'], 1)
     check(/^glint: .*the scene: it refuses/m.test(map), map)
   }],
 ])

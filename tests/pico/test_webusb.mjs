@@ -19,23 +19,23 @@ engine.addWhite(white, width, height)
 
 let pico, has
 async function connect() {
-  const device = await board.during(usb.requestDevice({ filters }), LONG, 'requestDevice')
-  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), LONG, 'connecting')
+  const device = await board.during(usb.requestDevice({ filters }), 'requestDevice')
+  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), 'connecting')
   has = { map: '', material: '' }
 }
 const words = (light, more = ['--scene=coin', '-n40']) => wordsOf(onDevice(stateOfWords([...more, `--light=${light}`]), width, height, '200,140,40'))
 // Draws in the module, sends what changed, and compares the panel with the module's picture. Returns what was sent.
 async function follow(list) {
   const { rgba } = engine.draw(list), scene = engine.device(width, height, has)
-  if (scene.map) await board.during(pico.sendMap(scene.map), LONG, 'the map')
-  if (scene.material) await board.during(pico.sendMaterial(scene.material), LONG, 'the material')
-  await board.during(pico.sendLight(scene.light), LONG, 'the light')
+  if (scene.map) await board.during(pico.sendMap(scene.map), 'the map')
+  if (scene.material) await board.during(pico.sendMaterial(scene.material), 'the material')
+  await board.during(pico.sendLight(scene.light), 'the light')
   has = scene.has
   judge.same(board.look(), asRgb(rgba), list.join(' '))
   return scene
 }
 async function trouble(promise) {
-  const error = await board.during(promise, LONG, 'the trouble').then(() => undefined, (error) => error)
+  const error = await board.during(promise, 'the trouble').then(() => undefined, (error) => error)
   check(error, 'nothing went wrong')
   return error.message
 }
@@ -44,7 +44,7 @@ const has_display = () => existsSync('/dev/fb0')
 await run([
   ['WebUSB finds the board and has its light interface, while the kernel\'s driver keeps the display', async () => {
     await board.plug()
-    await board.serve(has_display, LONG, '/dev/fb0')
+    await board.serve(has_display, '/dev/fb0')
     await connect()
     equal(`${pico.width}x${pico.height}`, `${width}x${height}`, 'its size')
     check(board.pico.uart.endsWith('a computer sends lights\r\n'), board.pico.uart)
@@ -61,15 +61,15 @@ await run([
     }
   }],
   ['asked for its light, a board without an accelerometer says so', async () => {
-    equal(await board.during(pico.room(), LONG, 'the light'), sentences.noSensor, 'the sentence')
+    equal(await board.during(pico.room(), 'the light'), sentences.noSensor, 'the sentence')
   }],
   ['the board shows its own coin under the page\'s light, and then follows again', async () => {
-    await board.during(pico.showOwn(true), LONG, 'its own picture')
-    await board.during(pico.giveLight([-0.5, 0.25, 0.75]), LONG, 'the light')
-    await board.serve(() => board.pico.uart.endsWith('a computer gives the light\r\n'), LONG, 'the hand-over')
+    await board.during(pico.showOwn(true), 'its own picture')
+    await board.during(pico.giveLight([-0.5, 0.25, 0.75]), 'the light')
+    await board.serve(() => board.pico.uart.endsWith('a computer gives the light\r\n'), 'the hand-over')
     board.pico.run(() => false, 300)
     judge.same(board.look(), judge.scene('coin', [-16384, 8192, 24576]), 'its own picture')
-    await board.during(pico.showOwn(false), LONG, 'the page\'s picture')
+    await board.during(pico.showOwn(false), 'the page\'s picture')
     has = { map: '', material: '' }
     await follow(words('-.2,.3,1'))
   }],
@@ -94,17 +94,17 @@ await run([
     await follow(words('-.5,.5,1'))
   }],
   ['closed, the panel is the kernel\'s again', async () => {
-    await board.during(pico.close(), LONG, 'closing')
-    await board.serve(() => /(a computer draws|relighting)\r\n$/.test(board.pico.uart), LONG, 'the hand-over')
+    await board.during(pico.close(), 'closing')
+    await board.serve(() => /(a computer draws|relighting)\r\n$/.test(board.pico.uart), 'the hand-over')
   }],
   ['while another program has the board that is said, and afterwards connecting goes on', async () => {
     const other = board.start_command([glint, 'stream', '--height=tests/data/rockwall-height.png', `--size=${width}x${height}`, '--fps=0', '--to=usb', '--shade=device'])
     try {
-      await board.serve(() => board.pico.uart.endsWith('lights\r\n') || other.status !== undefined, LONG, 'glint stream')
+      await board.serve(() => board.pico.uart.endsWith('lights\r\n') || other.status !== undefined, 'glint stream')
       equal(other.status, undefined, `glint stream says ${other.text}`)
       equal(await trouble(connect()), sentences.held, 'the sentence')
     } finally { other.child.kill('SIGINT') }
-    await board.serve(() => other.status !== undefined, LONG, 'the end of glint stream')
+    await board.serve(() => other.status !== undefined, 'the end of glint stream')
     await connect()
     await follow(words('0,.5,1'))
   }],
@@ -113,9 +113,9 @@ await run([
     engine.draw(words('0,-.5,1'))
     equal(await trouble(pico.sendLight(engine.device(width, height, has).light)), sentences.unplugged, 'the sentence')
     await board.plug()
-    await board.serve(has_display, LONG, '/dev/fb0')
+    await board.serve(has_display, '/dev/fb0')
     await connect()
     await follow(words('0,-.5,1'))
-    await board.during(pico.close(), LONG, 'closing')
+    await board.during(pico.close(), 'closing')
   }],
 ])

@@ -18,8 +18,8 @@ const usb = webUsb(packages)
 
 let pico, split, has
 async function connect() {
-  const device = await board.during(usb.requestDevice({ filters }), LONG, 'requestDevice')
-  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), LONG, 'connecting')
+  const device = await board.during(usb.requestDevice({ filters }), 'requestDevice')
+  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), 'connecting')
   split = pico.mesh ? engine.deviceMesh(pico.mesh, ['--scene=teapot']) : 0
   has = { map: '', material: '' }
 }
@@ -28,9 +28,9 @@ async function follow(...more) {
   const list = wordsOf(meshOnDevice(stateOfWords(['--scene=teapot', ...more]), width, height, split))
   const { rgba } = engine.draw(list), scene = engine.device(width, height, has)
   check(!scene.map && !scene.light, 'a map or a light')
-  if (scene.material) await board.during(pico.sendMaterial(scene.material), LONG, 'the material')
-  if (scene.mesh) await board.during(pico.useMesh(), LONG, 'the mesh')
-  await board.during(pico.sendPose(scene.pose), LONG, 'the pose')
+  if (scene.material) await board.during(pico.sendMaterial(scene.material), 'the material')
+  if (scene.mesh) await board.during(pico.useMesh(), 'the mesh')
+  await board.during(pico.sendPose(scene.pose), 'the pose')
   has = scene.has
   judge.same(board.look(), asRgb(rgba), list.join(' '))
   return scene
@@ -39,7 +39,7 @@ async function follow(...more) {
 await run([
   ['the board says that it holds the page\'s teapot, and takes no maps', async () => {
     await board.plug()
-    await board.serve(() => existsSync('/dev/fb0'), LONG, '/dev/fb0')
+    await board.serve(() => existsSync('/dev/fb0'), '/dev/fb0')
     await connect()
     equal(`${pico.width}x${pico.height}`, `${width}x${height}`, 'its size')
     equal(split, 180, 'at how many degrees its edges are split')
@@ -60,10 +60,10 @@ await run([
     check(material, 'no material')
   }],
   ['closed and connected again, it goes on', async () => {
-    await board.during(pico.close(), LONG, 'closing')
+    await board.during(pico.close(), 'closing')
     await connect()
     const { mesh } = await follow('--turn=9,8,7')
     check(mesh, 'no mesh')
-    await board.during(pico.close(), LONG, 'closing')
+    await board.during(pico.close(), 'closing')
   }],
 ])
