@@ -94,6 +94,17 @@ run([
         await browser.until(() => document.getElementById('refusal').textContent === 'folder.mtl: cannot be read (no file); is it a folder?')
         equal((await shownIsDrawn()).join(' '), state, 'the state after a folder')
     }],
+    ['two files for one row in one drop are refused with a word, and nothing of the drop is taken', async () => {
+        const triangle = Buffer.from('v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n'), grey = surfaces['grey8.png'].bytes
+        await browser.go(start)
+        const state = (await shownIsDrawn()).join(' ')
+        for (const [files, row] of [[{ 'a.obj': triangle, 'b.obj': triangle }, 'Mesh'], [{ 'a.png': grey, 'b.png': grey, 'normals.png': grey }, 'Height or logo']]) {
+            const names = Object.keys(files).slice(0, 2).join(', ')
+            await browser.drop(files)
+            await browser.until(text => document.getElementById('refusal').textContent === text, `${names}: each of these would be "${row}"; drop one of them, or choose each in its row`)
+            equal((await shownIsDrawn()).join(' '), state, `the state after ${names}`)
+        }
+    }],
     ['a mesh wears a dropped PNG as the command draws it; other pictures are refused with a word', async () => {
         await browser.go(start.replace('coin', 'teapot'))
         for (const [i, [file, { bytes }]] of Object.entries(surfaces).filter(([file]) => !/16|gamma/.test(file)).entries()) {

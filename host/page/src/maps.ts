@@ -61,31 +61,35 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<void> {
 
 /** What the state names it for, or by its name, as artists call them. */
 function kindOf(name: string): Kind {
-    if (/\.(stl|obj|ply|gltf|glb)$/i.test(name))
+    if (/\.(stl|obj|mtl|ply|gltf|glb)$/i.test(name))
         return 'mesh'
     const words: [RegExp, Kind][] = [...isMesh(current()) ? [[/tex/i, 'texture'] as [RegExp, Kind]] : [], [/grain|aniso|brush/i, 'grain'], [/norm|nrm|_n\b/i, 'normals'], [/gloss|rough|spec/i, 'gloss'], [/mask|opacity/i, 'mask'], [/albedo|colou?r|diff|base/i, 'albedo']]
     return kinds.find(kind => current()[kind] === name) ?? words.find(([pattern]) => pattern.test(name))?.[1] ?? 'height'
 }
 
-/** An OBJ with what it names; of the others each for itself, or the first one, for a row. */
+const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
+
+/** An OBJ with what it names; of the others each for itself, or the first one, for a row. Two for one row are not guessed at. */
 async function takeAll(all: File[], row?: Kind): Promise<void> {
     const obj = all.find(({ name }) => isObj(name))
-    let named: File[] = []
+    let named: File[] = [], files: { file: File, kind: Kind }[]
     try {
         named = obj ? await namedBy(all) : []
+        files = all.filter(file => !named.includes(file)).map(file => ({ file, kind: row ?? kindOf(file.name) }))
+        files.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind)) // the surface first, which clears the others
+        const twice = row ? undefined : files.find(({ kind }, i) => kind === files[i - 1]?.kind)
+        if (twice)
+            throw new Error(`${files.filter(({ kind }) => kind === twice.kind).map(({ file }) => file.name).join(', ')}: each of these would be "${titles[twice.kind]}"; drop one of them, or choose each in its row`)
     } catch (error) {
         await settled()
         say((error as Error).message)
         return
     }
-    const files = all.filter(file => !named.includes(file)).map(file => ({ file, kind: row ?? kindOf(file.name) }))
-    files.sort((a, b) => kinds.indexOf(a.kind) - kinds.indexOf(b.kind)) // the surface first, which clears the others
     for (const { file, kind } of row ? obj ? [{ file: obj, kind: row }] : files.slice(0, 1) : files)
         await take(file, kind, file === obj ? named : [])
 }
 
 const updates: (() => void)[] = []
-const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
 for (const kind of kinds) {
     const input = make('input', { type: 'file', accept: kind === 'mesh' ? '.obj,.mtl,.png,.stl,.glb,.gltf' : 'image/png,.png', multiple: kind === 'mesh', className: 'hidden', id: `map-${kind}` })
     input.onchange = () => {
