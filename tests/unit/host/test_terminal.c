@@ -87,7 +87,7 @@ static int ends(void)
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-static int runs(const char *command)
+static int ran(const char *command)
 {
     start(command, &usual_size);
     return ends();
@@ -97,17 +97,17 @@ static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
 {
     (void)state;
     assert_fails(SPHERE "--to terminal", "standard output is not a terminal");
-    assert_int_equal(runs(COIN "--frames 2 --fps 0"), 0);
+    assert_int_equal(ran(COIN "--frames 2 --fps 0"), 0);
     assert_contains(terminal.shown, "\033[38;"); /* colours */
     assert_contains(shows(0, HIDDEN), BACK);
-    assert_int_equal(runs("export NO_COLOR=1; " COIN "--frames 1"), 0);
+    assert_int_equal(ran("export NO_COLOR=1; " COIN "--frames 1"), 0);
     assert_null(strstr(terminal.shown, "\033[38;"));
     assert_contains(terminal.shown, BACK);
     assert_quiet("printf '1 1 1\\n1\\n' >lights.txt"); /* fails when it has begun */
-    assert_int_equal(runs(COIN "--lights lights.txt"), 1);
+    assert_int_equal(ran(COIN "--lights lights.txt"), 1);
     assert_contains(strstr(terminal.shown, HIDDEN), BACK);
     assert_quiet("grep -q 'line 2' said");
-    assert_int_equal(runs(COIN "--frames 4 --fps 10 --json"), 0);
+    assert_int_equal(ran(COIN "--frames 4 --fps 10 --json"), 0);
     assert_true(strtod(run("grep '\"seconds\"' said | tr -dc 0-9.")->out, NULL) >= .3); /* and as slow as the machine */
 }
 

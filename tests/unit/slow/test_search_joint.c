@@ -198,8 +198,7 @@ static void checkpoints_of_others_are_refused_and_kept(void **state)
     (void)state;
     run("echo text >text; echo '{}' >empty.json; $GLINT " SLICE " --checkpoint other.json");
     assert_fails("$GLINT " SLICE " --checkpoint text", "text is not a checkpoint of glint search");
-    assert_fails("mkfifo pipe; timeout 9 $GLINT " SLICE " --checkpoint pipe",
-                 "pipe is not a checkpoint of glint search");
+    assert_fails("mkfifo pipe; $GLINT " SLICE " --checkpoint pipe", "pipe is not a checkpoint of glint search");
     assert_fails("$GLINT " SLICE " --checkpoint empty.json", "empty.json is not a checkpoint");
     assert_fails("$GLINT " SLICE " --angles 31 --checkpoint other.json",
                  "other.json is of a search with other options");
