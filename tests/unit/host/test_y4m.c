@@ -203,8 +203,8 @@ static void a_signal_ends_the_video_after_a_whole_frame(void **state)
     for (size_t i = 0; i < 2; i++) {
         assert_int_equal(
             interrupted(signals[i],
-                        COIN "--frames 1000000 --period 1000 -o out/v.y4m & "
-                             "until [ $(cat out/.glint-* | wc -c) -gt 20000 ] || ! kill -0 $!; do sleep .02; done"),
+                        "env --default-signal=HUP " COIN "--frames 1000000 --period 1000 -o out/v.y4m & "
+                        "until [ $(cat out/.glint-* | wc -c) -gt 20000 ] || ! kill -0 $!; do sleep .02; done"),
             128 + signals[i]);
         assert_int_equal(files_in("out"), 1);
         /* A frame has 7206 bytes. */
