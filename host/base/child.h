@@ -10,7 +10,8 @@ struct child {
     const char *reader; /* for messages: "libassimp" */
     int in;
     pid_t process;
-    double end; /* of its time */
+    double used_s;   /* of the processor's time, when last asked */
+    unsigned idle_s; /* it neither worked nor sent */
 };
 /* The child runs body(of, out), whose `out` leads to here, with limits of time and memory, without standard input, output and errors. It dies with the
  * thread that starts it, which is the main one. `name`: of what is read, for messages. */

@@ -141,10 +141,14 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
         make_canvas(terminal);
     }
     uint8_t *rgb = frame_rgb(frame);
+    sigset_t before;
+    signals_hold_but_faults(
+        &before); /* the threads that it leaves waiting hold them, too: the first alone takes them */
     chafa_canvas_draw_all_pixels(terminal->canvas, CHAFA_PIXEL_RGB8, rgb, frame->width, frame->height,
                                  3 * frame->width);
-    free(rgb);
     GString *text = chafa_canvas_print(terminal->canvas, terminal->info);
+    signals_release(&before);
+    free(rgb);
     enum sink_result result = SINK_SENT;
     if (resized || resumed || !terminal->started)
         result = sink_write(STDOUT_FILENO, name, show_start, sizeof show_start - 1);

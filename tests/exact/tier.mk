@@ -58,7 +58,7 @@ endif
 
 # Several at a time, since some of them compile, and of the others not all use every core.
 run-exact: $(EXACT_TESTS)
-	@CC="$(CC)" OPENMP="$(OPENMP)" TALLY_TIMEOUT=2400 TALLY_JOBS=$$(nproc) OMP_WAIT_POLICY=passive $(EXACT_ENV) tests/tally $(EXACT_RUNS)
+	@CC="$(CC)" OPENMP="$(OPENMP)" TALLY_JOBS=$$(nproc) OMP_WAIT_POLICY=passive $(EXACT_ENV) tests/tally $(EXACT_RUNS)
 
 # The quick part: a part of the arguments from c, of the cutoffs and of the pixels.
 check-exact:

@@ -5,6 +5,7 @@ source=$(cd "$(dirname "$0")/../.." && pwd)
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 log=$folder/log number=0
+hangs=1800 # seconds: what is emulated has ended by then, or never does
 example=$source/tests/packages/example.c
 version=$(sed -n 's/.*GLINT_VERSION_STRING "\(.*\)"/\1/p' "$source/lib/glint.h")
 unset MAKEFLAGS MAKELEVEL
@@ -34,7 +35,7 @@ bare="$ports/cortex-m/start.c $ports/cortex-m/machine.c $ports/bare/run.c $ports
 bare_flags="-DBARE -ffreestanding -I$source/firmware/ports/bare"
 bare_link="-nostdlib -L$source/firmware/ports/bare -T$source/firmware/ports/cortex-m/mps2.ld"
 run_arm() { # IMAGE [MACHINE]
-    timeout 100 qemu-system-arm -M "${2:-mps2-an385}" -display none -semihosting-config enable=on,target=native -kernel "$1" 2>&1
+    timeout $hangs qemu-system-arm -M "${2:-mps2-an385}" -display none -semihosting-config enable=on,target=native -kernel "$1" 2>&1
 }
 # An STM32F2 with 64 KB of RAM: run_arm IMAGE netduino2.
 stm32_link="-nostdlib -L$source/firmware/ports/bare -T$source/tests/packages/netduino2.ld"
@@ -52,7 +53,7 @@ arduino_build() { # BOARD SKETCH LIBRARIES BUILD
         ln -s /usr/share/arduino/hardware/arduino /usr/share/arduino-builder/platform*.txt "$hardware" && ln -s /usr/bin "$hardware/tools/avr/bin"; } || return
     rm -rf "$4" && mkdir "$4" && cp -r "$2" "$folder/" || return
     # Debian's core names a macro that its compiler does not define.
-    timeout 300 arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -libraries "$standins/libraries" -fqbn "$1" \
+    arduino-builder -compile -hardware "$hardware" -tools "$hardware/tools" -libraries "$3" -libraries "$standins/libraries" -fqbn "$1" \
         -prefs=compiler.c.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ -prefs=compiler.cpp.extra_flags=-DDECIMAL_DIG=__DECIMAL_DIG__ \
         -prefs=bare.flags="$bare_flags" -prefs=bare.link="$stm32_link" \
         -build-path "$4" -build-cache "$folder/cores" "$folder/$(basename "$2")/$(basename "$2").ino"
@@ -61,7 +62,7 @@ arduino_build() { # BOARD SKETCH LIBRARIES BUILD
 # end by itself.
 arduino_run() { # PART IMAGE LINES [PATTERN]
     pattern=${4:-'[0-9A-F]\{1,4\}'}
-    timeout 60 stdbuf -oL simavr -m "$1" -f 16000000 "$2" >"$folder/serial" 2>&1 &
+    timeout $hangs stdbuf -oL simavr -m "$1" -f 16000000 "$2" >"$folder/serial" 2>&1 &
     simulator=$!
     while kill -0 $simulator 2>/dev/null; do
         [ "$(arduino_printed | wc -l)" -lt "$3" ] || kill $simulator

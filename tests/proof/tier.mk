@@ -52,7 +52,7 @@ run-proof-eva:
 	@mkdir -p $(PROOF_BUILD)
 	@$(CC) -std=c11 -O2 $(OPENMP) -fsanitize=undefined -fno-sanitize-recover=all -Ilib tests/proof/eva_finite.c lib/*.c \
 		-o $(PROOF_BUILD)/eva_finite
-	@TALLY_TIMEOUT=3600 tests/tally $(PROOF_BUILD)/eva_finite tests/proof/eva
+	@TALLY_TIMEOUT=14400 tests/tally $(PROOF_BUILD)/eva_finite tests/proof/eva
 
 .PHONY: proof setup-proof-eva run-proof-eva
 .PHONY: setup-proof test-proof run-proof

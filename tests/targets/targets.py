@@ -79,10 +79,10 @@ class Machine:
         program = self.emulator.split()[0]
         return "" if shutil.which(program) else f"{program} is not installed: make setup-targets"
 
-    def run(self, program, *words, seconds=900):
+    def run(self, program, *words):
         """What it prints, and its exit status. Words: of the emulator, before its others."""
         emulator, *others = self.emulator.split()
-        done = subprocess.run([emulator, *words, *others, program], capture_output=True, text=True, timeout=seconds,
+        done = subprocess.run([emulator, *words, *others, program], capture_output=True, text=True, timeout=HANGS,
                               stdin=subprocess.DEVNULL, cwd=SOURCE)
         text = re.sub(r"\x1b\[\d*m", "", done.stdout + done.stderr)  # simavr colours what a program sends, and shows its line ends as dots
         return re.sub(r"\.$", "", text, flags=re.M), done.returncode
@@ -92,6 +92,7 @@ class Machine:
         self.target.tool("gcc", *words, f"@{self.folder}/link", *objects, "-lgcc", "-o", program)
 
 
+HANGS = 1800  # seconds: an image has ended by then, or never does
 NPM_WORD = os.path.relpath(NPM, SOURCE)
 
 

@@ -28,4 +28,10 @@ static inline void set_alarm(void (*job)(void *), void *argument)
     setitimer(ITIMER_REAL, &(struct itimerval){.it_value = {.tv_usec = 500}}, NULL);
 }
 
+/* Where what follows must not be interrupted. */
+static inline void stop_alarm(void)
+{
+    setitimer(ITIMER_REAL, &(struct itimerval){.it_value = {0}}, NULL);
+}
+
 #endif

@@ -64,6 +64,13 @@ static inline struct run *run(const char *command)
     return &result;
 }
 
+/* Has the child not ended? What waits for a state that it makes asks this, and has no other limit: tests/tally ends what hangs. */
+static inline bool lives(pid_t child)
+{
+    siginfo_t ended = {.si_pid = 0};
+    return waitid(P_PID, (id_t)child, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0;
+}
+
 /* lib.a, plain, in the current folder: the one that is built, or one made here. */
 static inline int library_make(void)
 {

@@ -216,6 +216,7 @@ static void the_other_core_waits_for_the_interrupt_that_ends_its_last_strip(void
             else if (frame)
                 set_alarm(send_all, NULL);
             turntable_step(&turntable);
+            stop_alarm(); /* it would come in the middle of send_all */
         }
     }
     waits_by_itself = false;

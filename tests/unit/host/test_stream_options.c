@@ -58,7 +58,7 @@ static void a_signal_ends_lines_of_lights_that_never_end(void **state)
 {
     (void)state;
     const struct run *result =
-        run("yes '' | timeout --foreground --preserve-status -k 9 -s INT .5 " SPHERE "--to none --lights -");
+        run("yes '' | timeout --foreground --preserve-status -s INT .5 " SPHERE "--to none --lights -");
     assert_int_equal(result->status, 130);
     assert_string_equal(result->err, "");
 }

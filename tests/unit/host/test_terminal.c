@@ -1,127 +1,192 @@
 /* SPDX-License-Identifier: MIT
- * --to terminal, in a terminal of script(1)'s. */
+ * --to terminal, in a pseudoterminal. */
 #include "files.h"
 
+#include <dirent.h>
 #include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
 #include <sys/ioctl.h>
 
 #if GLINT_WITH_TERMINAL
 #define SPHERE "$GLINT stream sphere --size 60x40 --to png "
-#define COIN "$GLINT stream coin --size 40x30 --to terminal "
-#define IN_TERMINAL(command) "TERM=xterm-256color script -qec \"stty rows 24 cols 60; " command "\" typed >/dev/null"
+#define COIN "exec $GLINT stream coin --size 40x30 --to terminal "
+#define HIDDEN "\033[?25l"
+#define BACK "\033[?25h"
+#define MARK "\001" /* the test writes it to the terminal: what the program wrote before stands before it */
+
+static struct {
+    int screen, line; /* the terminal's ends: the test's, and the program's */
+    pid_t child;
+    char shown[1 << 25];
+    size_t len;
+} terminal;
+
+static const struct winsize usual_size = {.ws_row = 24, .ws_col = 60};
+
+/* A command of the shell's, in a group of processes of its own, as a job: it can be stopped. */
+static void start(const char *command, const struct winsize *size)
+{
+    terminal.shown[terminal.len = 0] = '\0';
+    terminal.screen = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    assert_true(terminal.screen >= 0 && grantpt(terminal.screen) == 0 && unlockpt(terminal.screen) == 0);
+    const char *name = ptsname(terminal.screen);
+    terminal.line = open(name, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    assert_int_equal(ioctl(terminal.line, TIOCSWINSZ, size), 0);
+    terminal.child = fork();
+    assert_true(terminal.child >= 0);
+    if (terminal.child == 0) {
+        for (int number = 1; number < SIGRTMIN; number++)
+            signal(number, SIG_DFL); /* the caller may have it ignored */
+        setenv("TERM", "xterm-256color", 1);
+        const int out = open(name, O_RDWR | O_NOCTTY);
+        if (setpgid(0, 0) != 0 || dup2(out, STDOUT_FILENO) < 0 || !freopen("said", "w", stderr))
+            _exit(126);
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
+        _exit(127);
+    }
+}
+
+static void read_some(void)
+{
+    const size_t room = sizeof terminal.shown - 1 - terminal.len;
+    const ssize_t count = read(terminal.screen, terminal.shown + terminal.len, room);
+    assert_true(count > 0);
+    terminal.shown[terminal.len += (size_t)count] = '\0';
+}
+
+/* Waits until the text is shown after the first `from` bytes; where. */
+static const char *shows(size_t from, const char *text)
+{
+    const char *at;
+    while (!(at = strstr(terminal.shown + from, text)))
+        read_some();
+    return at;
+}
+
+/* Waits until the child is stopped or has ended, and all that it wrote is shown; its status. */
+static int changes(void)
+{
+    int status;
+    while (waitpid(terminal.child, &status, WUNTRACED | WNOHANG) == 0)
+        if (poll(&(struct pollfd){.fd = terminal.screen, .events = POLLIN}, 1, 10) > 0)
+            read_some();
+    const size_t before = terminal.len;
+    while (write(terminal.line, MARK, 1) != 1) /* there is no room */
+        read_some();
+    shows(before, MARK);
+    return status;
+}
+
+/* Waits for the end; the exit status, -1: a signal's. */
+static int ends(void)
+{
+    const int status = changes();
+    close(terminal.line);
+    close(terminal.screen);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static int ran(const char *command)
+{
+    start(command, &usual_size);
+    return ends();
+}
 
 static void the_terminal_shows_it_and_gets_its_cursor_back(void **state)
 {
     (void)state;
-    static char typed[1 << 20];
     assert_fails(SPHERE "--to terminal", "standard output is not a terminal");
-    if (run("command -v script")->status != 0)
-        skip();
-    assert_int_equal(run(IN_TERMINAL(COIN "--frames 2 --fps 0"))->status, 0);
-    read_text("typed", typed, sizeof typed);
-    assert_contains(typed, "\033[?25l");
-    assert_contains(typed, "\033[38;"); /* colours */
-    assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
-    assert_int_equal(run("export NO_COLOR=1; " IN_TERMINAL(COIN "--frames 1"))->status, 0);
-    read_text("typed", typed, sizeof typed);
-    assert_null(strstr(typed, "\033[38;"));
-    assert_contains(typed, "\033[?25h");
+    assert_int_equal(ran(COIN "--frames 2 --fps 0"), 0);
+    assert_contains(terminal.shown, "\033[38;"); /* colours */
+    assert_contains(shows(0, HIDDEN), BACK);
+    assert_int_equal(ran("export NO_COLOR=1; " COIN "--frames 1"), 0);
+    assert_null(strstr(terminal.shown, "\033[38;"));
+    assert_contains(terminal.shown, BACK);
     assert_quiet("printf '1 1 1\\n1\\n' >lights.txt"); /* fails when it has begun */
-    assert_int_equal(run(IN_TERMINAL(COIN "--lights lights.txt"))->status, 1);
-    read_text("typed", typed, sizeof typed);
-    assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
-    assert_contains(typed, "line 2");
-    const struct run *paced = run(IN_TERMINAL(COIN "--frames 4 --fps 10 --json 2>paced"));
-    assert_int_equal(paced->status, 0);
-    assert_true(strtod(run("grep '\"seconds\"' paced | tr -dc 0-9.")->out, NULL) >=
-                .3); /* and as slow as the machine */
-    assert_int_equal(run(IN_TERMINAL("timeout --foreground -s INT 1 " COIN "--fps 4; test \\$? = 124"))->status, 0);
-    read_text("typed", typed, sizeof typed);
-    assert_contains(typed, "\033[?25h");
+    assert_int_equal(ran(COIN "--lights lights.txt"), 1);
+    assert_contains(strstr(terminal.shown, HIDDEN), BACK);
+    assert_quiet("grep -q 'line 2' said");
+    assert_int_equal(ran(COIN "--frames 4 --fps 10 --json"), 0);
+    assert_true(strtod(run("grep '\"seconds\"' said | tr -dc 0-9.")->out, NULL) >= .3); /* and as slow as the machine */
 }
 
 static void every_signal_that_ends_it_gives_the_terminal_its_cursor_back(void **state)
 {
     (void)state;
-    static char typed[1 << 20];
-    static const char *const signals[] = {"HUP",  "QUIT", "TERM",   "PIPE", "USR1", "USR2",
-                                          "ALRM", "PROF", "VTALRM", "XCPU", "XFSZ"};
-    if (run("command -v script")->status != 0)
-        skip();
+    static const int signals[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM,   SIGPIPE, SIGUSR1,
+                                  SIGUSR2, SIGALRM, SIGPROF, SIGVTALRM, SIGXCPU, SIGXFSZ};
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        char line[700]; /* 25[l]: typed begins with this command, which must not match itself */
-        snprintf(line, sizeof line,
-                 "rm -f typed; TERM=xterm-256color script -fqec \"stty rows 24 cols 60; env --default-signal=%s " COIN
-                 "--fps 4 & "
-                 "for i in \\$(seq 200); do grep -q 25[l] typed && break; sleep .05; done; kill -%s \\$!; wait \\$!; "
-                 "echo ended \\$?\" typed >/dev/null",
-                 signals[i], signals[i]);
-        assert_int_equal(run(line)->status, 0);
-        read_text("typed", typed, sizeof typed);
-        assert_contains(typed, "\033[?25l");
-        assert_contains(strstr(typed, "\033[?25l"), "\033[?25h");
-        assert_contains(typed, "ended 1"); /* 128 and the signal's number */
+        start(COIN "--fps 4", &usual_size);
+        shows(0, HIDDEN);
+        assert_int_equal(kill(terminal.child, signals[i]), 0);
+        assert_int_equal(ends(), 128 + signals[i]);
+        assert_contains(strstr(terminal.shown, HIDDEN), BACK);
     }
 }
 
 static void a_stream_that_is_stopped_gives_the_cursor_back_and_takes_it_when_it_goes_on(void **state)
 {
     (void)state;
-    static char typed[1 << 20];
-    if (run("command -v script")->status != 0)
-        skip();
-    const struct run *result =
-        run("rm -f typed; cat >job <<'EOF'\n"
-            "set -m\nstty rows 24 cols 60\n"
-            "soon() { for i in $(seq 200); do eval \"$1\" && break; sleep .05; done; }\n" COIN "--fps 4 &\n"
-            "soon 'grep -q 25l typed'\n"
-            "kill -TSTP $!\nsoon 'grep -q \"T (stopped)\" /proc/$!/status'\necho STOPPED\n"
-            "kill -CONT $!\nsoon '[ $(grep -c 25l typed) -gt 1 ] || sed 1,/STOPPED/d typed | grep -q 25l'\n"
-            "kill -TERM $!\nwait $!\necho ended $?\nEOF\n"
-            "TERM=xterm-256color script -fqec 'bash job' typed >/dev/null");
-    assert_int_equal(result->status, 0);
-    read_text("typed", typed, sizeof typed);
-    const char *stopped = strstr(typed, "STOPPED");
-    assert_non_null(stopped);
-    char *before = strndup(typed, (size_t)(stopped - typed));
-    assert_contains(strstr(before, "\033[?25l"), "\033[?25h");
-    free(before);
-    const char *hidden = strstr(stopped, "\033[?25l");
-    assert_non_null(hidden);
-    assert_contains(hidden, "\033[?25h");
-    assert_contains(hidden, "ended 143");
+    start(COIN "--fps 4", &usual_size);
+    shows(0, HIDDEN);
+    for (int i = 0; i < 3; i++) {
+        assert_int_equal(kill(terminal.child, SIGTSTP), 0);
+        assert_true(WIFSTOPPED(changes()));
+        const char *hidden = terminal.shown, *next;
+        while ((next = strstr(hidden + 1, HIDDEN))) /* the last */
+            hidden = next;
+        assert_contains(hidden, BACK);
+        const size_t stopped = terminal.len;
+        assert_int_equal(kill(terminal.child, SIGCONT), 0);
+        shows(stopped, HIDDEN);
+    }
+    assert_int_equal(kill(terminal.child, SIGTERM), 0);
+    assert_int_equal(ends(), 128 + SIGTERM);
+    assert_contains(strrchr(terminal.shown, 'l'), BACK);
+}
+
+/* Another thread would write the cursor while the first writes a frame. */
+static void the_first_thread_alone_takes_signals(void **state)
+{
+    (void)state;
+    start(COIN "--fps 4", &usual_size);
+    shows(0, HIDDEN);
+    assert_int_equal(kill(terminal.child, SIGSTOP), 0);
+    assert_true(WIFSTOPPED(changes()));
+    char path[300];
+    snprintf(path, sizeof path, "/proc/%d/task", terminal.child);
+    DIR *tasks = opendir(path);
+    assert_non_null(tasks);
+    for (const struct dirent *task; (task = readdir(tasks));) {
+        if (*task->d_name == '.' || atol(task->d_name) == terminal.child)
+            continue;
+        char status[8192];
+        snprintf(path, sizeof path, "/proc/%d/task/%s/status", terminal.child, task->d_name);
+        read_text(path, status, sizeof status);
+        const char *blocked = strstr(status, "SigBlk:");
+        assert_non_null(blocked);
+        static const int signals[] = {SIGTSTP, SIGCONT, SIGTERM, SIGINT, SIGHUP};
+        for (size_t i = 0; i < sizeof signals / sizeof *signals; i++)
+            if (!(strtoull(blocked + strlen("SigBlk:"), NULL, 16) >> (signals[i] - 1) & 1))
+                fail_msg("%.40s takes %s", status, strsignal(signals[i]));
+    }
+    closedir(tasks);
+    assert_int_equal(kill(terminal.child, SIGTERM), 0);
+    assert_int_equal(kill(terminal.child, SIGCONT), 0);
+    assert_int_equal(ends(), 128 + SIGTERM);
 }
 
 /* A frame in a terminal of this size: exit 0 and not a word on standard error. */
 static void assert_shown(unsigned short rows, unsigned short columns, unsigned short width, unsigned short height)
 {
-    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-    assert_true(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
-    const int end = open(ptsname(terminal), O_RDWR | O_NOCTTY);
-    assert_int_equal(
-        ioctl(end, TIOCSWINSZ,
-              &(struct winsize){.ws_row = rows, .ws_col = columns, .ws_xpixel = width, .ws_ypixel = height}),
-        0);
-    const pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0) {
-        setenv("TERM", "xterm-256color", 1);
-        if (dup2(end, STDOUT_FILENO) < 0 || !freopen("said", "w", stderr))
-            _exit(126);
-        execl(getenv("GLINT"), "glint", "stream", "coin", "--to", "terminal", "--frames", "1", (char *)NULL);
-        _exit(127);
-    }
-    close(end);
-    static char shown[65536];
-    while (read(terminal, shown, sizeof shown) > 0)
-        ;
-    close(terminal);
-    int status;
-    assert_int_equal(waitpid(child, &status, 0), child);
-    read_text("said", shown, sizeof shown);
-    if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || *shown)
-        fail_msg("%u rows, %u columns, %u x %u pixels: status %#x, %s", rows, columns, width, height, (unsigned)status,
-                 shown);
+    char said[8192];
+    start("exec $GLINT stream coin --to terminal --frames 1",
+          &(struct winsize){.ws_row = rows, .ws_col = columns, .ws_xpixel = width, .ws_ypixel = height});
+    const int status = ends();
+    read_text("said", said, sizeof said);
+    if (status != 0 || *said)
+        fail_msg("%u rows, %u columns, %u x %u pixels: status %d, %s", rows, columns, width, height, status, said);
 }
 
 static void a_terminal_may_state_any_size(void **state)
@@ -142,6 +207,7 @@ int main(void)
         cmocka_unit_test(the_terminal_shows_it_and_gets_its_cursor_back),
         cmocka_unit_test(every_signal_that_ends_it_gives_the_terminal_its_cursor_back),
         cmocka_unit_test(a_terminal_may_state_any_size),
+        cmocka_unit_test(the_first_thread_alone_takes_signals),
         cmocka_unit_test(a_stream_that_is_stopped_gives_the_cursor_back_and_takes_it_when_it_goes_on),
     };
     return cmocka_run_group_tests(tests, make_maps, scratch_remove);
