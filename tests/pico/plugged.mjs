@@ -5,12 +5,11 @@ import { spawn } from 'node:child_process'
 import { createServer, connect } from 'node:net'
 import { writeFileSync } from 'node:fs'
 import { Pico } from './pico.mjs'
-import { check, equal } from './tap.mjs'
+import { HANGS, check, equal } from './tap.mjs'
 import { UsbHost } from './usb_host.mjs'
 import { UsbIp } from './usbip.mjs'
 
 const VHCI = '/sys/devices/platform/vhci_hcd.0', PORT = 0, DEVICE_ID = 1, SPEED_FULL = 2
-const HANGS = 300 // seconds: whatever works is done by then, also on a busy machine
 
 export class Plugged {
   // done(endpoint) is called after each bulk transfer; fit(pico) puts on the board, before it runs, what is on it beside the panel.
