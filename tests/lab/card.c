@@ -2,6 +2,7 @@
 #include "unit.h"
 
 #include "card.h"
+#include "soon.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -13,8 +14,6 @@
 #include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <unistd.h>
-
-enum { PATIENCE_MS = 10000, STEP_MS = 20 };
 
 struct card card = {.file = -1};
 
@@ -43,11 +42,9 @@ static bool find_card(void)
 void card_open(unsigned width, unsigned height)
 {
     card.file = -1;
-    for (unsigned ms = 0; !find_card(); ms += STEP_MS) {
-        if (ms > PATIENCE_MS)
+    for (unsigned looks = 0; !find_card();)
+        if (!wait_more(&looks))
             fail_msg("the kernel makes no display of it");
-        usleep(1000 * STEP_MS);
-    }
     struct drm_mode_card_res resources = {.count_crtcs = 1, .count_connectors = 1};
     resources.crtc_id_ptr = (uintptr_t)&card.crtc;
     resources.connector_id_ptr = (uintptr_t)&card.connector;

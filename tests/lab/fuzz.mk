@@ -23,7 +23,7 @@ fuzz: setup-build setup-fuzz ## check: what devices, the command and the page re
 	@+$(SUBMAKE) run-fuzz
 run-fuzz: $(LAB_FUZZERS) $(LAB_SEEDS)
 	@for fuzzer in $(LAB_FUZZERS); do name=$${fuzzer##*_} && mkdir -p build/fuzz/$$name && \
-		$$fuzzer -max_total_time=$(or $(SECONDS),600) -timeout=20 -max_len=4096 -print_final_stats=1 \
+		$$fuzzer -max_total_time=$(or $(SECONDS),600) -timeout=300 -max_len=4096 -print_final_stats=1 \
 		-artifact_prefix=build/fuzz/ build/fuzz/$$name $(BUILD)/tests/lab/seeds/$$name || exit 1; done
 
 # As few inputs as have all that those do.

@@ -127,16 +127,16 @@ struct process {
     char output[64];
 };
 void process_start(struct process *process, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Fails when it has not written this in ten seconds. */
+/* Until it has written this. */
 void process_wait_for(const struct process *process, const char *text);
-/* Sends a signal, 0: none, and waits; its exit status as run() has it. Fails when it goes on for more than ten seconds. */
+/* Sends a signal, 0: none, and waits; its exit status as run() has it. */
 int process_end(struct process *process, int signal);
 void processes_end(void);
 
 /* A test's teardown: no chip that was created and no program that was started is left to the next test. */
 int lab_clean(void **state);
 
-/* Waits for a file, for ten seconds at most. */
+/* Until there is this file. */
 void wait_for_file(const char *path);
 
 /* Wires the gadget on usbip-vudc.0 to a port of the virtual host controller, as over a network. */

@@ -2,6 +2,7 @@
 #include "unit.h"
 
 #include "lab.h"
+#include "soon.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -11,10 +12,9 @@
 #include <string.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
-enum { TENTHS = 100, PROCESSES_MAX = 8 };
+enum { PROCESSES_MAX = 8 };
 static pid_t running[PROCESSES_MAX];
 
 /* Puts one process in the place of another; 0: none. */
@@ -26,11 +26,6 @@ static void replace(pid_t old, pid_t new)
             return;
         }
     fail_msg("more than %d programs at a time", PROCESSES_MAX);
-}
-
-static void sleep_a_tenth(void)
-{
-    nanosleep(&(struct timespec){.tv_nsec = 100000000}, NULL);
 }
 
 void process_start(struct process *process, const char *format, ...)
@@ -61,17 +56,16 @@ void process_start(struct process *process, const char *format, ...)
 
 void process_wait_for(const struct process *process, const char *text)
 {
-    size_t size;
-    for (int i = 0; i < TENTHS; i++) {
+    for (unsigned looks = 0;;) {
+        size_t size;
         char *written = run_for_output(&size, "cat %s", process->output);
         const bool found = strstr(written, text);
+        if (!found && !wait_more(&looks))
+            fail_msg("no '%s', but:\n%s", text, written);
         free(written);
         if (found)
             return;
-        sleep_a_tenth();
     }
-    char *written = run_for_output(&size, "cat %s", process->output);
-    fail_msg("no '%s' in ten seconds, but:\n%s", text, written);
 }
 
 int process_end(struct process *process, int signal)
@@ -79,13 +73,11 @@ int process_end(struct process *process, int signal)
     if (signal)
         kill(process->pid, signal);
     int status = 0;
-    for (int i = 0; i < TENTHS; i++, sleep_a_tenth())
-        if (waitpid(process->pid, &status, WNOHANG) == process->pid) {
-            replace(process->pid, 0);
-            return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-        }
-    fail_msg("the program goes on ten seconds after signal %d", signal);
-    return -1;
+    for (unsigned looks = 0; waitpid(process->pid, &status, WNOHANG) != process->pid;)
+        if (!wait_more(&looks))
+            fail_msg("the program goes on after signal %d", signal);
+    replace(process->pid, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 /* Asked at first, as a gadget that is killed stays on its bus. */
@@ -95,8 +87,8 @@ void processes_end(void)
         if (!running[i])
             continue;
         kill(running[i], SIGTERM);
-        for (int wait = 0; waitpid(running[i], NULL, WNOHANG) == 0; wait++, sleep_a_tenth())
-            if (wait == TENTHS)
+        for (unsigned looks = 0; waitpid(running[i], NULL, WNOHANG) == 0;)
+            if (!wait_more(&looks))
                 kill(running[i], SIGKILL);
         running[i] = 0;
     }
@@ -112,7 +104,7 @@ int lab_clean(void **state)
 
 void wait_for_file(const char *path)
 {
-    for (int i = 0; access(path, F_OK) != 0; i++, sleep_a_tenth())
-        if (i == TENTHS)
-            fail_msg("no %s in ten seconds", path);
+    for (unsigned looks = 0; access(path, F_OK) != 0;)
+        if (!wait_more(&looks))
+            fail_msg("no %s", path);
 }

@@ -5,6 +5,7 @@
 
 #include "hour.h"
 #include "lab.h"
+#include "soon.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -46,14 +47,10 @@ static void assert_refused(const char *options, const char *words)
     assert_ended(&process, 0, 1, words);
 }
 
-/* Until the command has its lines, and a little longer. */
+/* Until the command has its lines. */
 static void wait_for_lines(void)
 {
-    for (int i = 0; run("grep -q '|glint' /sys/kernel/debug/gpio") != 0; i++) {
-        assert_true(i < 100);
-        nanosleep(&(struct timespec){.tv_nsec = 100000000}, NULL);
-    }
-    nanosleep(&(struct timespec){.tv_nsec = 400000000}, NULL); /* panel_start takes .25 s */
+    assert_soon(run("grep -q '|glint' /sys/kernel/debug/gpio") == 0);
 }
 
 static void lines_that_are_in_use_or_not_there_are_named(void **state)

@@ -6,6 +6,7 @@
 
 #include "card.h"
 #include "lab.h"
+#include "soon.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -20,13 +21,8 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-enum { WIDTH = 61, HEIGHT = 47, PATIENCE_MS = 10000, STEP_MS = 20 };
+enum { WIDTH = 61, HEIGHT = 47 };
 #define PICTURE "/run/picture"
-
-static void wait_ms(unsigned ms)
-{
-    usleep(1000 * ms);
-}
 
 /* ---- the gadget ---- */
 
@@ -127,11 +123,8 @@ static void arrives(const char *format, const char *what)
 {
     want(format);
     unsigned wrong = 1;
-    for (unsigned ms = 0; wrong && ms < PATIENCE_MS; ms += STEP_MS) {
+    for (unsigned looks = 0; wrong && wait_more(&looks); wrong = wrong_pixels())
         kill(gadget.pid, SIGUSR1);
-        wait_ms(STEP_MS);
-        wrong = wrong_pixels();
-    }
     if (wrong)
         fail_msg("%s, %s: %u of %u pixels are wrong\n%s", format, what, wrong, WIDTH * HEIGHT, log_text());
 }
@@ -299,7 +292,7 @@ static void unplugged_in_the_middle_of_a_rectangle_and_back_it_is_a_display_agai
     (void)ioctl(card.file, DRM_IOCTL_MODE_DIRTYFB, &dirty); /* it may be gone already */
     process_wait_for(&gadget, "unbound");
     card_close();
-    wait_ms(100);
+    usleep(100000); /* of virtual time */
     is_a_display_again();
     assert_int_equal(process_end(&gadget, SIGTERM), 0);
 }
@@ -351,7 +344,7 @@ static void a_second_one_is_refused_in_one_line(void **state)
         {"--name other --udc no", "--udc: there is no USB device controller 'no' in /sys/class/udc"}};
     for (unsigned i = 0; i < sizeof tries / sizeof *tries; i++) {
         char command[300], text[300] = "";
-        snprintf(command, sizeof command, "timeout 5 %s %s 2>&1", getenv("GADGET"), tries[i].options);
+        snprintf(command, sizeof command, "%s %s 2>&1", getenv("GADGET"), tries[i].options);
         FILE *pipe = popen(command, "r");
         text[fread(text, 1, sizeof text - 1, pipe)] = 0;
         assert_int_equal(WEXITSTATUS(pclose(pipe)), 1);

@@ -4,6 +4,7 @@
 #include "unit.h"
 
 #include "known.h"
+#include "soon.h"
 
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -12,7 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { WIDTH = 100, HEIGHT = 37, PIXELS = WIDTH * HEIGHT, PICTURE_BYTES = 3 * PIXELS };
@@ -96,9 +96,8 @@ static void wait_for_picture(const struct process *gadget, const struct format *
 {
     size_t different = 0;
     uint8_t found[PICTURE_BYTES] = {0};
-    for (int i = 0; i < 100; i++) {
+    for (unsigned looks = 0; wait_more(&looks);) {
         kill(gadget->pid, SIGUSR1);
-        nanosleep(&(struct timespec){.tv_nsec = 50000000}, NULL);
         FILE *file = fopen(PICTURE, "r");
         const size_t size = file ? fread(found, 1, sizeof found, file) : 0;
         if (file)

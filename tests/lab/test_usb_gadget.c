@@ -54,7 +54,7 @@ static void check(const char *offered, const char *format, const char *gadget_op
     snprintf(
         command, sizeof command,
         "rm -f gadget.out; $GADGET --size %dx%d --vid-pid 1209:0001 --formats %s %s -o shown.ppm >gadget.out & pid=$!\n"
-        "for i in $(seq 100); do [ -s gadget.out ] || sleep .1; done\n"
+        "until [ -s gadget.out ] || ! kill -0 $pid; do sleep .1; done\n"
         "$GLINT stream watchface --to usb --wait --vid-pid 1209:0001 --frames 5 --fps 5 --format %s; status=$?\n"
         "kill $pid; wait $pid; exit $status",
         WIDTH, HEIGHT, offered, gadget_options, format);

@@ -9,6 +9,7 @@
 #include <stdint.h>
 #include <sys/types.h>
 
+#include "soon.h"
 #include "usb_function.h"
 
 enum usb_trouble {
@@ -59,16 +60,4 @@ void usb_display_be(struct usb_display *display, const struct usb_display_config
 void usb_display_unplug(struct usb_display *display);
 /* Those that a failed test left; a tear-down. Displays are static where tests may fail. */
 int usb_displays_unplug(void **state);
-/* What comes about in the display's own time. */
-#define assert_soon(condition)                                                                                         \
-    do {                                                                                                               \
-        bool soon_ = (condition);                                                                                      \
-        for (unsigned tries_ = 0; tries_ < 500 && !soon_; tries_++) {                                                  \
-            usleep(10000);                                                                                             \
-            soon_ = (condition);                                                                                       \
-        }                                                                                                              \
-        if (!soon_)                                                                                                    \
-            fail_msg("not soon: %s", #condition);                                                                      \
-    } while (0)
-
 #endif

@@ -3,6 +3,7 @@
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
 import { pathToFileURL } from 'node:url'
+import { HANGS, until } from '../pico/tap.mjs'
 
 const programs = { chromium: ['chromium'], firefox: ['firefox-esr'] }
 
@@ -15,14 +16,28 @@ export class Browser {
         const it = new Browser()
         it.browser = await puppeteer.launch({
             browser: name === 'firefox' ? 'firefox' : 'chrome', executablePath: `/usr/bin/${programs[name][0]}`, headless: true,
+            timeout: 1000 * HANGS, protocolTimeout: 1000 * HANGS,
             args: name === 'firefox' ? [] : ['--no-sandbox', '--disable-dev-shm-usage'], // the tests may run as root
         })
         it.page = await it.browser.newPage()
+        it.page.setDefaultTimeout(1000 * HANGS)
         it.page.on('console', message => message.type() === 'error' && it.wrong.push(message.text()))
         it.page.on('pageerror', error => it.wrong.push(error.message))
         it.url = pathToFileURL(file).href
-        // What would be downloaded, in place of a folder.
+        // What would be downloaded, in place of a folder; workers, whose answers stay away once one isHeld.
         await it.page.evaluateOnNewDocument(() => {
+            globalThis.workers = []
+            globalThis.Worker = class extends Worker {
+                constructor(...of) {
+                    super(...of)
+                    globalThis.workers.push(this)
+                }
+                set onmessage(then) {
+                    super.onmessage = event => this.isHeld || then(event)
+                }
+            }
+            const { setTimeout: plain } = globalThis // that of a tilt that no sensor tells never ends, so that tests tell it when they do
+            globalThis.setTimeout = (then, ms, ...rest) => ms === 1500 ? 0 : plain(then, ms, ...rest)
             globalThis.saved = []
             const make = URL.createObjectURL
             const blobs = new Map()
@@ -47,12 +62,8 @@ export class Browser {
     }
 
     /** Until it holds in the page; puppeteer's own wait is text to eval there, which the page's policy refuses in Firefox before 150. */
-    async until(condition, ...values) {
-        for (const end = Date.now() + 90000; !await this.page.evaluate(condition, ...values);) {
-            if (Date.now() > end)
-                throw new Error(`waited 90 s for ${condition}`)
-            await new Promise(resolve => setTimeout(resolve, 20))
-        }
+    until(condition, ...values) {
+        return until(() => this.page.evaluate(condition, ...values), () => condition)
     }
 
     /** Firefox before 150 knows sizes, but not orientations, which puppeteer sets with them. */

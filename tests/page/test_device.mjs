@@ -4,7 +4,7 @@
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
 import { readFileSync } from 'node:fs'
-import { check, equal, run } from '../pico/tap.mjs'
+import { check, equal, run, until } from '../pico/tap.mjs'
 import { Browser } from './browser.mjs'
 import { fakeUsb } from './fake_usb.mjs'
 import { Command, difference } from './glint.mjs'
@@ -48,51 +48,51 @@ const says = async text => {
         .catch(async () => { throw new Error(`it says ${await browser.text('device-status')}, not ${text}`) })
 }
 
-/** What the canvas shows, once that is the command's picture of the words that the state has; else what is wrong after 60 s: when a
- *  board comes or goes, the state stays as it is, so that nothing else says when the next picture is drawn. */
+/** Until the canvas shows the command's picture of the words that the state has; the words. When a board comes or goes, the state stays
+ *  as it is, so that nothing else says when the next picture is drawn. */
 async function drawnAs(wordsOfState) {
-    for (const end = Date.now() + 60000;;) {
-        const now = await browser.now(), words = wordsOfState(stateOfFragment(now.fragment))
-        const wrong = difference(now.rgba, now.width, now.height, command.render(words))
-        if (!wrong || Date.now() > end)
-            return { words, wrong }
-        await new Promise(resolve => setTimeout(resolve, 100))
-    }
+    let words, wrong
+    await until(async () => {
+        const now = await browser.now()
+        words = wordsOfState(stateOfFragment(now.fragment))
+        wrong = difference(now.rgba, now.width, now.height, command.render(words))
+        return !wrong
+    }, () => `the picture of ${words.join(' ')}: ${wrong}`)
+    return words
+}
+/** Until the board has all of these, of which the last comes last; what it has. */
+async function has(map, material, light) {
+    let sent
+    const isHad = (one, bytes) => bytes !== undefined && Buffer.from(bytes).equals(Buffer.from(one))
+    await until(async () => {
+        sent = await board()
+        return (!map || isHad(map, sent.map)) && isHad(material, sent.material) && isHad(light.subarray(4), sent.lights.at(-1)?.slice(4))
+    }, () => `the board has another map, material, light or pose: ${sent.material}; ${sent.lights.at(-1)}`)
+    return sent
 }
 
 /** The canvas is the command's picture of what the board draws, and the board has what makes that. Returns the words. */
 async function follows(gloss = white) {
-    const { words: drawn, wrong } = await drawnAs(state => wordsOf(onDevice(state, width, height, colours[state.scene], gloss)))
-    check(!wrong, `${drawn.join(' ')}: ${wrong}`)
+    const drawn = await drawnAs(state => wordsOf(onDevice(state, width, height, colours[state.scene], gloss)))
     check(await isSaid(), 'it is not said whose picture the command line and the files are of')
     engine.draw(drawn)
     const { map, material, light } = engine.device(width, height, { map: '', material: '' })
-    const tail = JSON.stringify([...light.subarray(4)])
-    await browser.until(tail => JSON.stringify(board.lights.at(-1)?.slice(4)) === tail, tail)
-    const sent = await board()
-    check(Buffer.from(sent.map).equals(Buffer.from(map)), 'the map is another one')
-    check(Buffer.from(sent.material).equals(Buffer.from(material)), 'the material is another one')
-    check(sent.lights.every(bytes => bytes.length === 16), 'a light is not 16 bytes')
+    check((await has(map, material, light)).lights.every(bytes => bytes.length === 16), 'a light is not 16 bytes')
     return drawn
 }
 /** The same of the mesh that the board holds, split at so many degrees. */
 async function turnsWith(degrees) {
-    const { words: drawn, wrong } = await drawnAs(state => wordsOf(meshOnDevice(state, width, height, degrees)))
-    check(!wrong, `${drawn.join(' ')}: ${wrong}`)
+    const drawn = await drawnAs(state => wordsOf(meshOnDevice(state, width, height, degrees)))
     engine.draw(drawn)
     const { material, pose } = engine.device(width, height, { map: '', material: '' })
-    const tail = JSON.stringify([...pose.subarray(4)])
-    await browser.until(tail => JSON.stringify(board.lights.at(-1)?.slice(4)) === tail, tail)
-    const sent = await board()
-    check(Buffer.from(sent.material).equals(Buffer.from(material)), 'the material is another one')
+    const sent = await has(undefined, material, pose)
     check(sent.inMesh && sent.lights.every(bytes => bytes.length === 28), 'a pose is not 28 bytes, or not of the mesh')
     equal(await browser.text('command'), ['glint', 'render', ...drawn, '-o', 'glint.png'].join(' '), 'the command line')
     return drawn
 }
 const isFree = async () => {
     equal(await browser.text('connect'), 'Connect a Pico', 'the button')
-    const { words: own, wrong } = await drawnAs(wordsOf)
-    check(!wrong, `not connected, the picture is not the page's own: ${own.join(' ')}: ${wrong}`)
+    const own = await drawnAs(wordsOf)
     equal(await browser.text('command'), ['glint', 'render', ...own, '-o', 'glint.png'].join(' '), 'the command line')
     check(await page.evaluate(() => document.getElementById('file-gloss')?.hidden), 'a map of full gloss is offered')
     check(!await isSaid(), 'it is said that the command line is of a board')
@@ -138,9 +138,12 @@ run([
             await page.keyboard.press('ArrowRight')
         await follows()
         check((await board()).lights.length > before, 'no lights')
-        for (const end = Date.now() + 60000; !(await browser.text('device-status')).includes('frames/s') && Date.now() < end;)
-            await page.keyboard.press('ArrowRight') // a rate needs two frames within a second
-        check((await browser.text('device-status')).includes('frames/s'), 'no rate')
+        await page.evaluate(() => { // a rate needs two frames within a second
+            let now = performance.now()
+            performance.now = () => ++now
+        })
+        await until(() => page.keyboard.press('ArrowRight').then(() => browser.text('device-status')).then(said => said.includes('frames/s')), () => 'no rate')
+        await page.evaluate(() => { delete performance.now })
         await follows()
         await browser.set('control-n', '12')
         check((await follows()).includes('-n12'), 'another material')
@@ -282,8 +285,8 @@ run([
                     return globalThis.board.rounds
                 }, text)
                 await browser.until(rounds => globalThis.board.rounds > rounds, rounds) // one more may give the light of before
-                await board({ given: [] })
-                await browser.until(rounds => globalThis.board.rounds > rounds + 4, rounds)
+                const { rounds: since } = await board({ given: [] })
+                await browser.until(rounds => globalThis.board.rounds > rounds + 4, since)
                 equal((await board()).given.length > 0, text === '-1,1,1.2', `whether the light ${text} is sent`)
             }
             await page.click('#board-own')

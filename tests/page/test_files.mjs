@@ -2,8 +2,8 @@
 // test_files.mjs PACKAGES PAGE GLINT BROWSER: maps, logos and meshes of the user's own in the page: dropped, set, kept,
 // missing, refused.
 import { readFile } from 'node:fs/promises'
-import { check, equal, run } from '../pico/tap.mjs'
-import { asked, browser, command, fragment, frames, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
+import { check, equal, run, until } from '../pico/tap.mjs'
+import { asked, browser, command, fragment, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
 import { ball, clothed, gltf, meshes } from './meshes.mjs'
@@ -143,10 +143,7 @@ run([
             command.put('not-here.png', bytes)
             await browser.drop({ 'not-here.png': bytes })
             await browser.until(() => document.getElementById('refusal').hidden)
-            for (let tries = 0; (await browser.now()).rgba.equals(rgba); tries++) {
-                check(tries < 600, 'it is not drawn')
-                await frames(1)
-            }
+            await until(async () => !(await browser.now()).rgba.equals(rgba), () => 'it is not drawn')
             equal((await shownIsDrawn()).join(' '), wordsOf(stateOfWords(words)).join(' '), 'the state')
         }
         await drawnAgain(surfaces['a-logo.png'].bytes)

@@ -134,6 +134,20 @@ run([
         console.log(`# ${JSON.stringify(became)}`)
         equal(stray.length, 0, `rejections that nobody awaits: ${stray[0]}`)
     }],
+    ['a page that stood still for longer than it has patience takes the answers that came meanwhile', async () => {
+        const later = answer => new Promise(resolve => { // behind the page's own timers
+            setImmediate(resolve, answer)
+            queueMicrotask(() => { for (const end = performance.now() + 2 * patience; performance.now() < end;); })
+        })
+        const statuses = [1, 0] // busy at first
+        const device = { open: async () => {}, close: async () => {}, claimInterface: async () => {}, releaseInterface: async () => {},
+            configuration: { interfaces: [{ interfaceNumber: 1, alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: 2, direction: 'out', type: 'bulk' }] }] }] },
+            controlTransferIn: ({ request }) => later(request === 0xa4 ? { status: 'stall' } : { status: 'ok', data: new DataView(Uint8Array.from(request === 0xa0 ? descriptor(240, 240) : [statuses.shift()]).buffer) }),
+            transferOut: () => later({ status: 'ok' }), controlTransferOut: () => later({ status: 'ok' }) }
+        const pico = await Pico.connect({ getDevices: async () => [device] }, device, bytes => engine.deviceSize(bytes), patience)
+        await pico.sendLight(new Uint8Array(16))
+        equal(statuses.length, 0, 'statuses that are left')
+    }],
     ['any descriptor is a size that glint shades, or none', () => {
         equal(engine.deviceSize(descriptor(240, 320)), 240 << 16 | 320, 'a display')
         equal(engine.deviceSize(descriptor(sideMax, pixelsMax / sideMax)), (sideMax << 16 | pixelsMax / sideMax) >>> 0, 'the largest')

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // The emulated board, plugged into the lab's kernel by USB/IP: emulated and served while something is awaited. Emulator, kernel and
-// programs take turns here, so nothing may wait for the board without serve.
+// programs take turns here, so nothing may wait for the board without serve. The guest's time passes as they work (guest --time basic), so
+// that no limit of the kernel's or of a program's is reached because the machine stands still.
 import { spawn } from 'node:child_process'
 import { createServer, connect } from 'node:net'
 import { writeFileSync } from 'node:fs'
 import { Pico } from './pico.mjs'
-import { check, equal } from './tap.mjs'
+import { HANGS, check, equal } from './tap.mjs'
 import { UsbHost } from './usb_host.mjs'
 import { UsbIp } from './usbip.mjs'
 
 const VHCI = '/sys/devices/platform/vhci_hcd.0', PORT = 0, DEVICE_ID = 1, SPEED_FULL = 2
-const HANGS = 300 // seconds: whatever works is done by then, also on a busy machine
 
 export class Plugged {
   // done(endpoint) is called after each bulk transfer; fit(pico) puts on the board, before it runs, what is on it beside the panel.
@@ -58,8 +58,8 @@ export class Plugged {
     for (;;) {
       if (await done()) return
       check(Date.now() < end, `${what}: not in ${HANGS} s; the board says ${JSON.stringify(this.pico.uart)}`)
-      await new Promise((resolve) => setImmediate(resolve))
-      if (!this.bridge.step()) this.pico.run(() => false, 0.5)
+      if (!this.bridge.step()) this.pico.run(() => false, 1)
+      await new Promise((resolve) => setTimeout(resolve, 1))
     }
   }
   // The same until a promise is kept; its value or its error.

@@ -16,6 +16,17 @@ export async function run(tests, at_the_end = () => {}) {
   process.exit(failed ? 1 : 0)
 }
 
+// Seconds. What works is done by then on the busiest machine: the one limit of what a test waits for.
+export const HANGS = 300
+
+// Until it holds; where it never does, what() says why not.
+export async function until(holds, what) {
+  for (const end = Date.now() + 1000 * HANGS; !await holds();) {
+    check(Date.now() < end, `not in ${HANGS} s: ${await what()}`)
+    await new Promise(resolve => setTimeout(resolve, 20))
+  }
+}
+
 export function check(good, message) {
   if (!good) throw new Error(message)
 }

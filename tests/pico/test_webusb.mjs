@@ -5,8 +5,8 @@ import { existsSync, readFileSync } from 'node:fs'
 import { resolve } from 'node:path'
 import { Judge } from './judge.mjs'
 import { Plugged } from './plugged.mjs'
-import { check, equal, run } from './tap.mjs'
-import { LONG, asRgb, conforming, webUsb } from './web_usb.mjs'
+import { HANGS, check, equal, run } from './tap.mjs'
+import { asRgb, conforming, webUsb } from './web_usb.mjs'
 
 const [packages, folder, panel, program, glint, page] = process.argv.slice(2)
 const { Engine, filters, onDevice, Pico, sentences, stateOfWords, white, wordsOf } = await import(resolve(page, 'engine.mjs'))
@@ -20,7 +20,7 @@ engine.addWhite(white, width, height)
 let pico, has
 async function connect() {
   const device = await board.during(usb.requestDevice({ filters }), 'requestDevice')
-  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), 'connecting')
+  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * HANGS), 'connecting')
   has = { map: '', material: '' }
 }
 const words = (light, more = ['--scene=coin', '-n40']) => wordsOf(onDevice(stateOfWords([...more, `--light=${light}`]), width, height, '200,140,40'))

@@ -5,8 +5,8 @@ import { existsSync, readFileSync } from 'node:fs'
 import { resolve } from 'node:path'
 import { Judge } from './judge.mjs'
 import { Plugged } from './plugged.mjs'
-import { check, equal, run } from './tap.mjs'
-import { LONG, asRgb, conforming, webUsb } from './web_usb.mjs'
+import { HANGS, check, equal, run } from './tap.mjs'
+import { asRgb, conforming, webUsb } from './web_usb.mjs'
 
 const [packages, folder, panel, program, page] = process.argv.slice(2)
 const { Engine, filters, meshOnDevice, Pico, stateOfWords, wordsOf } = await import(resolve(page, 'engine.mjs'))
@@ -19,7 +19,7 @@ const usb = webUsb(packages)
 let pico, split, has
 async function connect() {
   const device = await board.during(usb.requestDevice({ filters }), 'requestDevice')
-  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * LONG), 'connecting')
+  pico = await board.during(Pico.connect(usb, conforming(device), (bytes) => engine.deviceSize(bytes), 1000 * HANGS), 'connecting')
   split = pico.mesh ? engine.deviceMesh(pico.mesh, ['--scene=teapot']) : 0
   has = { map: '', material: '' }
 }

@@ -36,13 +36,13 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach board,$(PICO_READY_TESTED),$(foreach part,hand faults,"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(part)")) \
-		$(foreach board,$(PICO_READY_TESTED),"tests/lab/guest --seconds 900 --memory 1024 $(BUILD)/tests/pico/attach node tests/pico/test_end_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(BUILD)/glint") \
+		$(foreach board,$(PICO_READY_TESTED),"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach node tests/pico/test_end_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(BUILD)/glint") \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \
-		"tests/lab/guest --seconds 900 --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
-		"tests/lab/guest --seconds 900 --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
-		"tests/lab/guest --seconds 900 --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-mesh-bunny) $(BUILD)/glint $(PICO_MESH_TESTED)" \
-		"tests/lab/guest --seconds 900 --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
-		"tests/lab/guest --seconds 900 --memory 1024 $(call PICO_TEST,webusb_pose,-teapot) $(PAGE)" \
+		"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
+		"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
+		"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-mesh-bunny) $(BUILD)/glint $(PICO_MESH_TESTED)" \
+		"tests/lab/guest --time basic --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
+		"tests/lab/guest --time basic --memory 1024 $(call PICO_TEST,webusb_pose,-teapot) $(PAGE)" \
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)" \
 		"$(call PICO_TEST,teapot,-two-cores-teapot) both" "$(call PICO_TEST,teapot,-teapot)") \

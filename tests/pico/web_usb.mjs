@@ -2,6 +2,7 @@
 // WebUSB in node, as the page's transport has it in a browser: the package usb, on the kernel's usbfs.
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
+import { HANGS } from './tap.mjs'
 
 export function webUsb(packages) {
   const { WebUSB } = createRequire(resolve(packages, 'x'))('usb')
@@ -10,15 +11,12 @@ export function webUsb(packages) {
 
 // Where the package differs from WebUSB: a STALL is an error, not the transfer's status; and a transfer ends after a second, which the
 // emulated board may need, if not told otherwise.
-const TIMEOUT_MS = 60000
-// Seconds for what the board does within one, emulated on a machine that does other things, too.
-export const LONG = 120
 export function conforming(device) {
   return new Proxy(device, { get(_, name) {
     const value = device[name]
     if (typeof value !== 'function') return value
     if (!/ransfer(In|Out)$/.test(name)) return value.bind(device)
-    return (...args) => value.apply(device, [...args, TIMEOUT_MS]).catch((error) => {
+    return (...args) => value.apply(device, [...args, 1000 * HANGS]).catch((error) => {
       if (/stall(ed)?$/i.test(error.message)) return { status: 'stall' }
       throw error
     })

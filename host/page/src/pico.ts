@@ -220,21 +220,22 @@ export class Pico {
         }
     }
 
-    /** GUD_BUSY: a light waits or is drawn. */
+    /** GUD_BUSY: a light waits or is drawn. Asked once more at the end: it may be the page that stood still. */
     private async expectDone(what: string): Promise<void> {
         const end = performance.now() + this.patience
-        for (let status; (status = await this.status()) !== wire.GUD_OK;) {
+        for (let status, isEnd = false; (status = await this.status()) !== wire.GUD_OK; isEnd = performance.now() > end) {
             if (status !== wire.GUD_BUSY)
                 throw refused(what, status)
-            if (performance.now() > end)
+            if (isEnd)
                 throw new Trouble(sentences.silent)
         }
     }
 
+    /** Counted in turns, of which a page that stood still has had one, however long: what came meanwhile is taken. */
     private within<T>(transfer: Promise<T>): Promise<T> {
-        let timer: ReturnType<typeof setTimeout>
-        const late = new Promise<never>((_, reject) => { timer = setTimeout(() => reject(new Trouble(sentences.silent)), this.patience) })
-        return Promise.race([transfer, late]).finally(() => clearTimeout(timer))
+        let timer: ReturnType<typeof setInterval>, turns = 4
+        const late = new Promise<never>((_, reject) => { timer = setInterval(() => --turns || reject(new Trouble(sentences.silent)), this.patience / turns) })
+        return Promise.race([transfer, late]).finally(() => clearInterval(timer))
     }
 
     /** After trouble the device is closed: connect again. */

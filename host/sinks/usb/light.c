@@ -82,9 +82,18 @@ static bool find_interface(struct light_sink *light, const struct usb_device *de
     return false;
 }
 
+/* The display's own host may be drawing; that is soon done. */
 static bool enable(struct light_sink *light, uint8_t value)
 {
-    return light->link.control(&light->port, false, LIGHT_SET_ENABLE, 0, &value, 1) == 1;
+    uint8_t status = GUD_BUSY;
+    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS && !stream_stopped(); ms += ASK_MS) {
+        if (light->link.control(&light->port, false, LIGHT_SET_ENABLE, 0, &value, 1) == 1)
+            return true;
+        if (light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1) != 1)
+            return false;
+        usb_pause_ms(ASK_MS);
+    }
+    return false;
 }
 
 static void leave(struct light_sink *light)
