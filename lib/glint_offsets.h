@@ -18,6 +18,9 @@
 
 #define GLINT_AT_SPAN_W 20 /* t, dt, ddt, nl, dnl before it, from 0 on */
 
+#define GLINT_LINEAR_FRACTION 14 /* bits of Q and R below V in linear space */
+#define GLINT_LINEAR_SHIFT 14 /* bits of V below its argument; fewer where a light is so bright that it would not fit */
+
 #define GLINT_NEGATIVE_T_LOG 27 /* GLINT_NEGATIVE_T is 2^32 less 2 to this */
 
 /* How large the tables are and by which bits they are read; for C and for assembly, so macros only. Fixed point as

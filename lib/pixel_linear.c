@@ -5,7 +5,7 @@
 #include "glint_math.h"
 
 #define LINEAR_ONE UINT32_C(65535)
-enum { LINEAR_FRACTION = 14 }; /* bits of Q and R below V */
+#define LINEAR_FRACTION GLINT_LINEAR_FRACTION
 
 /* A loop with the registers to itself. */
 #define LINEAR_ALONE __attribute__((noinline)) static
@@ -42,7 +42,7 @@ static void linear_fold(struct glint_paint *p, const struct glint_coefficients *
     const struct glint_material *m = &p->material;
     const unsigned less = linear_less(m, c, up);
     const uint32_t slack = p->of.exact.slack;
-    p->of.exact.shift = (14 - less) | up << 8;
+    p->of.exact.shift = (GLINT_LINEAR_SHIFT - less) | up << 8;
     p->of.exact.w = p->of.exact.w_maps = 0;
     for (int k = 0; k < 3; k++) {
         const uint32_t albedo = glint_srgb_decode(m->albedo[k]), s = c->s[k];
@@ -110,7 +110,8 @@ GLINT_INLINE void linear_sum(union linear_pixel *at, const struct glint_paint *p
                              const uint8_t *gloss, const struct glint_sample *sample, unsigned count, bool grey,
                              uint32_t high)
 {
-    const unsigned shift = linear_shift(paint), up = (unsigned)(paint->of.exact.shift >> 8), less = 14 - shift;
+    const unsigned shift = linear_shift(paint), up = (unsigned)(paint->of.exact.shift >> 8),
+                   less = GLINT_LINEAR_SHIFT - shift;
     const uint32_t part = glint_luma(k), half = (uint32_t)1 << shift >> 1;
     struct linear_parts parts =
         linear_parts_of(paint->of.exact.p[k], paint->of.exact.q[k], paint->of.exact.r[k], shift);
@@ -233,17 +234,18 @@ LINEAR_ALONE uint32_t linear_found(const struct glint_paint *p, const struct gli
     return linear_level(encoded, linear_max(p, k), linear_threshold(p, run, i)) >> 16;
 }
 
-/* The levels of those alone: the bits of what is another level at V + W. */
-LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const struct glint_sample *sample,
-                                    const struct glint_paint *p, const struct glint_run *run, unsigned k)
+/* The levels of those alone, by arguments: the bits of what is another level at V + W. */
+LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, const union linear_pixel *arguments, uint32_t near,
+                                    const struct glint_sample *sample, const struct glint_paint *p,
+                                    const struct glint_run *run, unsigned k)
 {
     const uint32_t steps = linear_steps(p, run);
     const bool grey = glint_format_is_grey(p->output.format);
     uint32_t open = 0;
-    for (unsigned i = 0; near >> i; i++, at++, sample++) {
+    for (unsigned i = 0; near >> i; i++, at++, arguments++, sample++) {
         if (!(near >> i & 1))
             continue;
-        const uint32_t x = at->x[1], most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
+        const uint32_t x = arguments->x[1], most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
         const uint32_t found = linear_found(p, run, i, k, x);
         /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P (and whose
          * samples lie before). */
@@ -254,12 +256,62 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, uint32_t near, const
     return open;
 }
 
+#if GLINT_CORTEX_M0PLUS_ASM
+/* What cortex_m0plus_linear.S takes: words in this order. */
+struct linear_channels {
+    uint32_t steps;
+    const uint16_t *entries; /* the first octave's */
+    struct {
+        uint32_t p, q, r;
+        uint32_t max; /* then: the bits of what is near */
+    } of[3];
+};
+void glint_linear_levels(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
+                         struct linear_channels *channels);
+
+/* From samples, as no argument is left. */
+LINEAR_ALONE uint32_t linear_settle_near(union linear_pixel *pixels, uint32_t near, const struct glint_sample *samples,
+                                         const struct glint_paint *p, const struct glint_run *run, unsigned k)
+{
+    union linear_pixel arguments[GLINT_RUN];
+    const struct linear_parts parts =
+        linear_parts_of(p->of.exact.p[k], p->of.exact.q[k], p->of.exact.r[k], GLINT_LINEAR_SHIFT);
+    for (unsigned i = 0; near >> i; i++)
+        if (near >> i & 1)
+            arguments[i].x[1] = linear_x(linear_v(&parts, samples[i].nl_q16, samples[i].f_q16), GLINT_LINEAR_SHIFT);
+    return linear_settle(pixels, arguments, near, samples, p, run, k);
+}
+
+/* Levels of a run of RGB, undithered, without maps, V not shifted down: the bits of those that are open. */
+LINEAR_ALONE uint32_t linear_rgb(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
+                                 const struct glint_paint *p, const struct glint_run *run)
+{
+    struct linear_channels channels;
+    struct glint_chords chords;
+    uint32_t open = 0;
+    glint_srgb_chords(&chords, 0);
+    channels.steps = linear_steps(p, run);
+    channels.entries = chords.entry;
+    for (unsigned k = 0; k < 3; k++) {
+        channels.of[k].p = p->of.exact.p[k] + ((uint32_t)1 << (GLINT_LINEAR_SHIFT - 1));
+        channels.of[k].q = p->of.exact.q[k];
+        channels.of[k].r = p->of.exact.r[k];
+        channels.of[k].max = linear_max(p, k);
+    }
+    glint_linear_levels(pixels, samples, count, &channels);
+    for (unsigned k = 0; k < 3; k++)
+        if (channels.of[k].max)
+            open |= linear_settle_near(pixels, channels.of[k].max, samples, p, run, k);
+    return open;
+}
+#endif
+
 /* Levels of a run: the bits of those that are open. */
 static inline uint32_t linear_decide(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                                      const struct glint_paint *p, const struct glint_run *run, unsigned k)
 {
     const uint32_t near = run->soft ? ((uint32_t)1 << count) - 1 : linear_encode(pixels, count, p, run, k);
-    return near ? linear_settle(pixels, near, samples, p, run, k) : 0;
+    return near ? linear_settle(pixels, pixels, near, samples, p, run, k) : 0;
 }
 
 /* Grey's levels side by side. */
@@ -288,6 +340,10 @@ static uint32_t linear_levels(const struct glint_paint *p, const struct glint_ru
         linear_arguments(pixels, count, shift);
         open = linear_decide(pixels, samples, count, p, run, 0);
         linear_pack(pixels, count);
+#if GLINT_CORTEX_M0PLUS_ASM
+    } else if (!maps && !run->apart && !run->soft && !p->output.dither && shift == GLINT_LINEAR_SHIFT) {
+        open = linear_rgb(pixels, samples, count, p, run);
+#endif
     } else {
         for (unsigned k = 0; k < 3; k++, samples += run->apart) {
             if (maps)

@@ -16,7 +16,7 @@ process.on('uncaughtException', (error) => {
 })
 
 // What the library has assembly for, and of which loops other n than 60 are stated.
-const ASSEMBLY = /^(exact (rect( steps)?|albedo|brushed|spun|grain map|shininess|coverage( all)?|span 16|span 64( steps)?)|colour (int8|span 16|span 64)( dither| coverage| coverage all)?|albedo (int8|span 16)|palette)$/
+const ASSEMBLY = /^(exact (rect( steps)?|albedo|brushed|spun|grain map|shininess|coverage( all)?|span 16|span 64( steps)?)|colour (int8|span 16|span 64)( dither| coverage| coverage all)?|albedo (int8|span 16)|palette|exact linear( 888| steps)?)$/
 const SHININESSES = { 'exact rect': [5, 1000], 'exact rect steps': [1000], 'albedo int8': [5] }
 
 const [folder, part, parts, match] = [process.argv[2], Number(process.argv[3]), Number(process.argv[4]), new RegExp(process.argv[5] ?? '')]

@@ -306,3 +306,40 @@ for (const [way, swapped, colours, alone] of ALBEDO) {
   for (const fault of [0, 0x41]) albedo(assembly, way, swapped, fault, colours, alone).forEach((strip, k) => { unlike[fault && 1] += strip !== wanted[k] })
 }
 console.log('glint_mesh_albedo_lines', 15 * ALBEDO.length, ...unlike)
+
+// Levels in linear space beside the sequence: every argument, undithered, as far up as W may reach; then arguments from any products. A level that is
+// not called near is that of each.
+function linear() {
+  const machine = load(`${folder}/npm`, `${folder}/m0plus-asm.elf`), table = machine.address('encodings'), at = machine.address('bench_memory') + 3 & ~3
+  const encodings = Array.from({ length: 289 }, (_, i) => machine.memory.readUInt16LE(table - RAM + 2 * i))
+  const level = (x, max) => {
+    const bits = 26 - Math.clz32(x), chord = (x >> bits) - 32, i = 32 * (bits - 2) + chord, rest = x & (1 << bits) - 1
+    const encoded = x < 128 ? x * 3308 + 128 >> 8 : encodings[i] + Math.floor((encodings[i + 1] - encodings[i]) * rest / 2 ** bits + 1 / 2)
+    return Math.floor((encoded * max + 32767) / 65535)
+  }
+  const PIXELS = at, SAMPLES = at + 80, CHANNELS = at + 320, COUNT = 20, found = [0, 0, 0]
+  let near = 0
+  for (let i = 0; i < 5000; i++) {
+    const steps = 1 + i % 9, grows = i < 3277, maxima = i & 1 ? [31, 63, 31] : [255, 255, 255]
+    const samples = Array.from({ length: COUNT }, (_, k) => [grows ? 0 : one(0, below(65537)), grows ? Math.min(20 * i + k, 65535) : one(0, 0, below(67110))])
+    const channels = maxima.map((max) => [8192 + (grows ? 0 : below(2 ** 28)), grows ? 0 : below(2 ** one(20, 29)), grows ? 2 ** 28 : below(2 ** one(20, 29)), max])
+    for (const fault of i % 10 ? [0] : [0, 1]) {
+      samples.forEach(([nl, f], k) => [0, nl, f].forEach((value, j) => machine.memory.writeUInt32LE(value, SAMPLES - RAM + 12 * k + 4 * j)))
+      const words = [steps, table, ...channels.flatMap(([p, q, r, max]) => [p, q, fault ? r ^ 2 ** 25 : r, max])]
+      words.forEach((value, j) => machine.memory.writeUInt32LE(value, CHANNELS - RAM + 4 * j))
+      run(machine, 'glint_linear_levels', [PIXELS, SAMPLES, COUNT, CHANNELS])
+      let wrong = 0
+      channels.forEach(([p, q, r, max], k) => samples.forEach(([nl, f], j) => {
+        const v = p + (q >>> 14) * nl + (r >>> 14) * f + Math.floor(((q & 16383) * nl + (r & 16383) * f) / 16384)
+        const x = Math.min(Math.floor(v / 16384), 65535), most = Math.min(x + steps, 65535)
+        if (v >= 2 ** 32) return
+        if (machine.memory.readUInt32LE(CHANNELS - RAM + 8 + 16 * k + 12) >>> j & 1) near += !fault
+        else wrong += [x, most].some((argument) => level(argument, max) !== machine.memory[PIXELS - RAM + 4 * j + k])
+      }))
+      found[1 + fault] += wrong > 0
+    }
+    found[0]++
+  }
+  return near < .1 * found[0] * 3 * COUNT ? found : [found[0], found[0], 0] // most are decided
+}
+console.log('glint_linear_levels', ...linear())
