@@ -55,9 +55,6 @@ struct glint_mesh_cells {
 };
 
 #if GLINT_CORTEX_M0PLUS_ASM
-/* In assembly: glint_mesh_sort_faces that also marks fronts and what is clipped in edges, which are 0. */
-void glint_mesh_sort_fronts(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
-
 /* In assembly: hides the cells that a face leaves out; false: not all outlines are kept, or there is no room for all. */
 bool glint_mesh_hide_face(const struct glint_mesh_target *strip, unsigned face);
 
