@@ -259,11 +259,11 @@ static __attribute__((noinline)) void cells_t(struct glint_mesh_cells *cells, co
     struct glint_mesh_cell *const cell = &cells->cell;
     const unsigned up = cells_up(cells->rim);
     const uint32_t one = (uint32_t)1 << 30, side = cells_side(cells->strip->drawn, cells->rim);
+    if (beyond > side)
+        return;
     const uint32_t u = up > 27 ? one : cells_inverse(cells->rim) << (up - 13), s = (u >> 4) * offset;
     const int64_t d = 2 * (int64_t)side, rise = (int64_t)b->t_q30 - a->t_q30;
     const int64_t bend = (u * d) >> 30; /* u <= 2^30, d < 2^33 */
-    if (beyond > side)
-        return;
     cell->t = a->t_q30 + (uint32_t)((rise * s) >> 30) -
               (uint32_t)(((d >> 1) * (int64_t)(((uint64_t)s * (one - s)) >> 30)) >> 29);
     cell->dt = (uint32_t)((rise * u) >> 30) - (uint32_t)bend + (uint32_t)((bend >> 1) * (2 * (int64_t)s + u) >> 29);
