@@ -29,7 +29,7 @@ hide_rim(struct glint_mesh_hidden *hidden, const struct glint_mesh_rim *rim, int
     const int32_t step = rim->step, first = at - rim->at;
     uint16_t *line = rim->depth + along * first;
     int32_t e = rim->e + step * first;
-    for (; at < end; at++, line += along, e += step) {
+    for (const uint16_t *const last = line + along * (end - at); line < last; line += along, e += step) {
         if ((uint16_t)(e + bias) >= least)
             continue;
         uint16_t *const depth = line + across * (e >> 16);
