@@ -415,7 +415,7 @@ void glint_mesh_blend_matt(const struct glint_mesh_blend *blend)
 #endif
 
 /* By COLOUR tables, where nothing shines, no other outline of the face is near, and the lines lie side by side. */
-static __attribute__((noinline)) bool colour_matt(const struct glint_mesh_cells *cells)
+static __attribute__((noinline)) bool cells_matt(const struct glint_mesh_cells *cells)
 {
     const struct glint_mesh_target *const strip = cells->strip;
     const struct glint_mesh_rim *const rim = cells->rim;
@@ -498,7 +498,7 @@ static __attribute__((noinline)) void cells_draw(struct glint_mesh_cells *cells,
     others_set(cells);
     cells_set(cells);
     if (cells->is_colour) {
-        if (!colour_matt(cells))
+        if (!cells_matt(cells))
             colour_cells(cells);
         return;
     }
