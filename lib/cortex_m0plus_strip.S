@@ -320,7 +320,7 @@
 #define links r12
 #define is_cut lr
 
-/* edges: at the frame's first word, of each face: what its front or clipping is marked in; the others' are 0. */
+/* marks: edges, at the frame's first word, of each face, get its front or clipping. */
 .macro sort_faces marks
     mov from, r2
     ldrh r3, [r0, #GLINT_AT_FRAME_W + 2]
@@ -377,6 +377,8 @@
 .if \marks
     ldr r4, [sp]
     movs r5, #GLINT_EDGES_IS_FRONT
+    ldrb r6, [r4, number]
+    orrs r5, r6
     strb r5, [r4, number]
 .endif
     cmp r1, r2 /* r1: the least y, r2: the greatest */
@@ -421,7 +423,9 @@
     beq .Lin\@
 .if \marks
     ldr r5, [sp]
-    movs r6, #GLINT_EDGES_IS_CLIPPED
+    ldrb r6, [r5, number]
+    movs r1, #GLINT_EDGES_IS_CLIPPED
+    orrs r6, r1
     strb r6, [r5, number]
     ldrh r6, [r3, #6]
 .endif
@@ -436,15 +440,15 @@
 .endm
 
     function glint_mesh_sort_faces
-    enter 0
-    sort_faces 0
-    leave 0
-
-/* And marks fronts, for mesh_edges.c. */
-    function glint_mesh_sort_fronts
     enter 4
     ldr r3, [r1, #GLINT_AT_DRAWN_EDGES]
     str r3, [sp]
+    cmp r3, #0
+    beq 1f
+    b .Lmarked
+1:  sort_faces 0
+    leave 4
+.Lmarked:
     sort_faces 1
     leave 4
 

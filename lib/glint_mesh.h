@@ -122,7 +122,7 @@ struct glint_mesh_frame {
 
 /* Smooth outlines, of meshes that have neighbours and are added after outlines is set: where a face that shows its front meets one that does not,
  * the pixels that their edge cuts are blended over what the buffer holds, by any paint; a mesh in front over those behind. glint_mesh_bytes
- * counts what they take, 3 bytes a face and some 1,700, wherever there are neighbours. Stepped stay: edges that the near plane or the
+ * counts what they take, 3 bytes a face and some 1,900, wherever there are neighbours. Stepped stay: edges that the near plane or the
  * guard band cuts (not those beside them), creases, and where parts go through each other. Without outlines no program links them. */
 struct glint_use_outlines; /* const */
 extern const struct glint_use_outlines glint_outlines;

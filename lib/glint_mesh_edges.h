@@ -54,18 +54,11 @@ struct glint_mesh_cells {
     struct glint_mesh_blending blending; /* of glint_mesh_blend_cells */
 };
 
-#if GLINT_CORTEX_M0PLUS_ASM
-/* In assembly: glint_mesh_sort_faces that also marks fronts and what is clipped in edges, which are 0. */
-void glint_mesh_sort_fronts(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
-
-/* In assembly: hides the cells that a face leaves out; false: not all outlines are kept, or there is no room for all. */
-bool glint_mesh_hide_face(const struct glint_mesh_target *strip, unsigned face);
-
-/* In assembly: an outline's cells by COLOUR tables, where nothing shines. Steps along it and across are in bytes. */
+/* An outline's cells by COLOUR tables, where nothing shines. Steps along it and across are in bytes. Has a twin in assembly. */
 struct glint_mesh_blend {
     uint32_t is_swapped, nl, across, step, dz, dnl, along;
     const uint16_t *end; /* of depth */
-    uint32_t off;        /* what a pixel is beyond its depth */
+    uintptr_t off;       /* what a pixel is beyond its depth */
     const uint8_t *colours;
     uint32_t dark, grows;
     uint32_t z;
@@ -73,6 +66,10 @@ struct glint_mesh_blend {
     uint32_t e;
 };
 void glint_mesh_blend_matt(const struct glint_mesh_blend *blend);
+
+#if GLINT_CORTEX_M0PLUS_ASM
+/* In assembly: hides the cells that a face leaves out; false: not all outlines are kept, or there is no room for all. */
+bool glint_mesh_hide_face(const struct glint_mesh_target *strip, unsigned face);
 
 typedef char glint_outlines_layout[sizeof(struct glint_mesh_rim) == GLINT_MESH_RIM_BYTES &&
                                            offsetof(struct glint_mesh_rim, depth) == 8 &&

@@ -115,7 +115,7 @@ bool glint_mesh_fan_beside(const struct glint_mesh_frame *frame, const struct gl
 
 /* Sorts the faces that show from line y on into the bands where they begin, or where y is; each list ascends. */
 void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
-/* Into bands that may have faces of higher numbers. Has a twin in assembly. */
+/* Into bands that may have faces of higher numbers; in edges it marks fronts and what is clipped. Has a twin in assembly. */
 void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);
 
 /* Takes the lists of the bands from line y to end - 1 as one that ascends. */

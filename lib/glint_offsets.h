@@ -94,14 +94,14 @@
 #define GLINT_EDGES_NONE 32 /* or not at all */
 #define GLINT_EDGES_IS_FRONT 16
 #define GLINT_EDGES_IS_CLIPPED 64
-#define GLINT_MESH_RIMS 48 /* outlines kept for a strip; others are set each time they are asked for */
+#define GLINT_MESH_RIMS 56 /* outlines kept for a strip; others are set each time they are asked for */
 #define GLINT_MESH_RIM_BYTES 24
 #define GLINT_AT_RIM_AT 12          /* at, end; before it e, step, depth */
 #define GLINT_AT_RIM_IS 16          /* is, corner, face, inverse */
 #define GLINT_MESH_HIDDEN 32        /* cells that a face leaves out at a time */
 #define GLINT_CELL_LEFT_OUT 124     /* it leaves a cell out where so much of 256 is inside */
-#define GLINT_AT_OUTLINES_REST 1228 /* rest, hidden */
-#define GLINT_AT_OUTLINES_DEPTHS 1232
+#define GLINT_AT_OUTLINES_REST 1420 /* rest, hidden */
+#define GLINT_AT_OUTLINES_DEPTHS 1424
 
 #define GLINT_AT_TARGET_Y 12     /* y, end */
 #define GLINT_AT_TARGET_FRAME 24 /* frame, drawn */

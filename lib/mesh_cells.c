@@ -18,44 +18,18 @@ static int32_t cells_min(int32_t a, int32_t b)
     return a < b ? a : b;
 }
 
-/* Which of an outline's lines, or of a flat one columns, are asked: those in the window, if there is one, and beside the edge, if there is one. */
-struct hide_range {
-    const struct glint_mesh_window *window;
-    const struct glint_mesh_vertex *a, *b;
-};
-
-/* Of an outline. false: there may be no room for all. */
-static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_mesh_rim *rim,
-                     const struct hide_range *range)
+/* Of an outline those of lines or, if it is flat, columns at..end - 1. Returns where the next one is kept. */
+static inline __attribute__((always_inline)) struct glint_mesh_hidden *
+hide_rim(struct glint_mesh_hidden *hidden, const struct glint_mesh_rim *rim, int32_t w, int32_t at, int32_t end)
 {
-    struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
-    const bool is_flat = rim->is & GLINT_RIM_FLAT;
-    int32_t at = rim->at, end = rim->end, along = 1, across = strip->w;
-    if (range->window) {
-        at = cells_max(at, is_flat ? range->window->left : range->window->top);
-        end = cells_min(end, is_flat ? range->window->right : range->window->bottom);
-    }
-    if (range->a) {
-        const int32_t a = is_flat ? range->a->x : range->a->y, b = is_flat ? range->b->x : range->b->y;
-        at = cells_max(at, ((a < b ? a : b) >> 4) - 1);
-        end = cells_min(end, ((a < b ? b : a) >> 4) + 2);
-    }
-    if (at >= end)
-        return true;
-    if (!is_flat) {
-        along = across;
-        across = 1;
-    }
-    if (outlines->hidden + (uint32_t)(end - at) > GLINT_MESH_HIDDEN)
-        return false;
+    const int32_t along = rim->is & GLINT_RIM_FLAT ? 1 : w, across = rim->is & GLINT_RIM_FLAT ? w : 1;
     /* A face draws no cell of which less is inside: its middle is outside. Somewhat less than half, for what edges round. The part is at
      * least GLINT_CELL_LEFT_OUT where what is left of the cell is less than least. */
     const uint16_t least = (256u - GLINT_CELL_LEFT_OUT) << 8, bias = rim->is & GLINT_RIM_GROWS ? 0 : least;
-    uint16_t *line = rim->depth + along * (at - rim->at);
-    const int32_t step = rim->step;
-    int32_t e = rim->e + step * (at - rim->at);
-    struct glint_mesh_hidden *hidden = outlines->of.depths + outlines->hidden;
-    for (int32_t left = end - at; left; left--, line += along, e += step) {
+    const int32_t step = rim->step, first = at - rim->at;
+    uint16_t *line = rim->depth + along * first;
+    int32_t e = rim->e + step * first;
+    for (const uint16_t *const last = line + along * (end - at); line < last; line += along, e += step) {
         if ((uint16_t)(e + bias) >= least)
             continue;
         uint16_t *const depth = line + across * (e >> 16);
@@ -64,27 +38,7 @@ static bool hide_rim(const struct glint_mesh_target *strip, const struct glint_m
         hidden++;
         *depth = 0;
     }
-    outlines->hidden = (uint16_t)(hidden - outlines->of.depths);
-    return true;
-}
-
-/* Of a face. */
-static bool hide_rims(const struct glint_mesh_target *strip, unsigned face, const struct hide_range *range)
-{
-    const struct glint_mesh_drawn *const drawn = strip->drawn;
-    struct glint_mesh_rim *rim = drawn->edges[face] & GLINT_EDGES_LISTED ? drawn->outlines->rims + drawn->rims[face]
-                                                                         : glint_mesh_rims_of(strip, face);
-    for (; rim; rim = glint_mesh_rim_after(rim))
-        if (!hide_rim(strip, rim, range))
-            return false;
-    return true;
-}
-
-/* Has it outlines here, as far as one can tell? */
-static inline bool hide_asks(const struct glint_mesh_drawn *drawn, unsigned face)
-{
-    const unsigned edges = drawn->edges[face];
-    return edges & GLINT_EDGES_LISTED || (edges & GLINT_EDGES && drawn->outlines->rest != GLINT_MESH_NONE);
+    return hidden;
 }
 
 static void cells_show(const struct glint_mesh_target *strip)
@@ -103,25 +57,49 @@ static void cells_show(const struct glint_mesh_target *strip)
 static bool hide(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
+    struct glint_mesh_outlines *const outlines = drawn->outlines;
+    struct glint_mesh_hidden *hidden = outlines->of.depths;
+    const struct glint_mesh_hidden *const full = hidden + GLINT_MESH_HIDDEN;
     const uint16_t *const beside = drawn->mesh->neighbours + 3 * (size_t)face;
-    struct hide_range range = {window, NULL, NULL};
-    const unsigned edges = drawn->edges[face];
-    bool fits = true;
-    drawn->outlines->hidden = 0;
-    if (hide_asks(drawn, face))
-        fits = hide_rims(strip, face, &range);
-    for (unsigned k = 0; fits && edges & GLINT_EDGES_BESIDE && k < 3; k++) {
-        if (beside[k] >= drawn->mesh->face_count || !hide_asks(drawn, beside[k]))
+    const unsigned edges = drawn->edges[face], count = drawn->mesh->face_count;
+    for (unsigned k = edges & GLINT_EDGES_BESIDE ? 4 : 1; k--;) {
+        /* The face itself is the last one. */
+        const unsigned i = k ? beside[k - 1] : face;
+        const struct glint_mesh_rim *rim = outlines->rims;
+        if (i >= count)
             continue;
-        if (!(edges & GLINT_EDGES_CLIPPED)) {
-            range.a = glint_mesh_corner_at(drawn, face, k);
-            range.b = glint_mesh_corner_at(drawn, face, glint_mesh_corner_after(k));
+        if (drawn->edges[i] & GLINT_EDGES_LISTED)
+            rim += drawn->rims[i];
+        else if (!(drawn->edges[i] & GLINT_EDGES) || outlines->rest == GLINT_MESH_NONE ||
+                 (rim = glint_mesh_rims_of(strip, i)) == NULL)
+            continue;
+        for (;; rim++) {
+            int32_t at = rim->at, end = rim->end;
+            if (window) {
+                at = cells_max(at, rim->is & GLINT_RIM_FLAT ? window->left : window->top);
+                end = cells_min(end, rim->is & GLINT_RIM_FLAT ? window->right : window->bottom);
+            }
+            if (k && !(edges & GLINT_EDGES_CLIPPED)) {
+                const struct glint_mesh_vertex *const p = glint_mesh_corner_at(drawn, face, k - 1),
+                                                      *const q = glint_mesh_corner_at(drawn, face,
+                                                                                      glint_mesh_corner_after(k - 1));
+                const bool is_flat = rim->is & GLINT_RIM_FLAT;
+                const int32_t a = is_flat ? p->x : p->y, b = is_flat ? q->x : q->y;
+                at = cells_max(at, (cells_min(a, b) >> 4) - 1);
+                end = cells_min(end, (cells_max(a, b) >> 4) + 2);
+            }
+            if (end - at > full - hidden) { /* there may be no room for all */
+                outlines->hidden = (uint16_t)(hidden - outlines->of.depths);
+                cells_show(strip);
+                return false;
+            }
+            hidden = hide_rim(hidden, rim, strip->w, at, end);
+            if (!(rim->is & GLINT_RIM_MORE))
+                break;
         }
-        fits = hide_rims(strip, beside[k], &range);
     }
-    if (!fits)
-        cells_show(strip);
-    return fits;
+    outlines->hidden = (uint16_t)(hidden - outlines->of.depths);
+    return true;
 }
 
 /* A face of more cells than there is room for: a piece of a line after the other. */
@@ -281,11 +259,11 @@ static __attribute__((noinline)) void cells_t(struct glint_mesh_cells *cells, co
     struct glint_mesh_cell *const cell = &cells->cell;
     const unsigned up = cells_up(cells->rim);
     const uint32_t one = (uint32_t)1 << 30, side = cells_side(cells->strip->drawn, cells->rim);
+    if (beyond > side)
+        return;
     const uint32_t u = up > 27 ? one : cells_inverse(cells->rim) << (up - 13), s = (u >> 4) * offset;
     const int64_t d = 2 * (int64_t)side, rise = (int64_t)b->t_q30 - a->t_q30;
     const int64_t bend = (u * d) >> 30; /* u <= 2^30, d < 2^33 */
-    if (beyond > side)
-        return;
     cell->t = a->t_q30 + (uint32_t)((rise * s) >> 30) -
               (uint32_t)(((d >> 1) * (int64_t)(((uint64_t)s * (one - s)) >> 30)) >> 29);
     cell->dt = (uint32_t)((rise * u) >> 30) - (uint32_t)bend + (uint32_t)((bend >> 1) * (2 * (int64_t)s + u) >> 29);
@@ -409,19 +387,64 @@ static uint32_t colour_swap(uint32_t x)
     return (x << 8 | x >> 8) & 0xffff;
 }
 
-static void colour_blend(uint16_t *out, uint32_t p, uint32_t part, bool swapped)
+static inline void colour_blend(uint16_t *out, uint32_t p, uint32_t part, bool swapped)
 {
-    uint32_t q = *out;
-    if (swapped) {
-        p = colour_swap(p);
-        q = colour_swap(q);
-    }
-    const uint32_t rgb = glint_over(p, q, part);
-    *out = (uint16_t)(swapped ? colour_swap(rgb) : rgb);
+    const uint32_t q = *out;
+    *out = swapped ? (uint16_t)colour_swap(glint_over(colour_swap(p), colour_swap(q), part)) : glint_over(p, q, part);
 }
 
-/* By COLOUR tables: what cells_found finds, in one loop. */
-static inline __attribute__((always_inline)) void colour_cells_by(const struct glint_mesh_cells *cells, bool is_glossy)
+#if !GLINT_CORTEX_M0PLUS_ASM
+void glint_mesh_blend_matt(const struct glint_mesh_blend *blend)
+{
+    const uint8_t *const colours = blend->colours, *depth = (const uint8_t *)blend->depth;
+    const uint8_t *const end = (const uint8_t *)blend->end;
+    const uint32_t step = blend->step, dz = blend->dz, dnl = blend->dnl, dark = blend->dark, grows = blend->grows;
+    const int32_t across = (int32_t)blend->across, along = (int32_t)blend->along;
+    const uintptr_t off = blend->off;
+    const bool is_swapped = blend->is_swapped;
+    uint32_t e = blend->e, z = blend->z, nl = blend->nl;
+    for (; depth != end; depth += along, e += step, z += dz, nl += dnl) {
+        const uint8_t *const at = depth + ((int32_t)e >> 16) * across;
+        if (z >> 16 >= *(const uint16_t *)(const void *)at)
+            continue;
+        const uint32_t part = (e >> 8 & 255) ^ grows;
+        const uint32_t p = (int32_t)nl < 0 ? dark : *(const uint16_t *)(const void *)(colours + glint_look_row(nl));
+        colour_blend((uint16_t *)(void *)((uintptr_t)at + off), p, part, is_swapped);
+    }
+}
+#endif
+
+/* By COLOUR tables, where nothing shines, no other outline of the face is near, and the lines lie side by side. */
+static __attribute__((noinline)) bool cells_matt(const struct glint_mesh_cells *cells)
+{
+    const struct glint_mesh_target *const strip = cells->strip;
+    const struct glint_mesh_rim *const rim = cells->rim;
+    const uint32_t w = 2 * (uint32_t)strip->w;
+    const bool is_flat = rim->is & GLINT_RIM_FLAT;
+    if (cells->others || cells->cell.t != GLINT_MESH_FAR_T || strip->surface->stride != (ptrdiff_t)w)
+        return false;
+    const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
+    const struct glint_mesh_blend blend = {cells->paint->output.format == GLINT_RGB565_SWAPPED,
+                                           cells->cell.nl,
+                                           is_flat ? w : 2,
+                                           (uint32_t)rim->step,
+                                           cells->cell.dz,
+                                           cells->cell.dnl,
+                                           is_flat ? 2 : w,
+                                           rim->depth + (rim->end - rim->at) * (is_flat ? 1 : strip->w),
+                                           (uintptr_t)strip->surface->pixels - (uintptr_t)strip->depth,
+                                           look.colours,
+                                           look.dark,
+                                           rim->is & GLINT_RIM_GROWS ? 255u : 0u,
+                                           cells->cell.z,
+                                           rim->depth,
+                                           (uint32_t)rim->e};
+    glint_mesh_blend_matt(&blend);
+    return true;
+}
+
+/* The same where they are not, or it shines: what cells_found finds, in one loop. */
+static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells)
 {
     const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
     const struct glint_mesh_target *const strip = cells->strip;
@@ -442,10 +465,7 @@ static inline __attribute__((always_inline)) void colour_cells_by(const struct g
             if (cells->others)
                 part = others_share(cells, is_flat ? at : cell, is_flat ? strip->y + cell : at, part);
             if (part) {
-                if (is_glossy)
-                    glint_look_store(&look, back, nl, &pixel);
-                else
-                    pixel = (int32_t)nl < 0 ? look.dark : glint_look_colour(&look, glint_look_row(nl));
+                glint_look_store(&look, back, nl, &pixel);
                 colour_blend((uint16_t *)(void *)(out + out_across * cell), pixel, part, swapped);
             }
         }
@@ -454,57 +474,10 @@ static inline __attribute__((always_inline)) void colour_cells_by(const struct g
         e += rim->step;
         z += cells->cell.dz;
         nl += cells->cell.dnl;
-        if (is_glossy) {
-            back -= dt;
-            dt += cells->cell.ddt;
-        }
+        back -= dt;
+        dt += cells->cell.ddt;
     }
 }
-
-static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells *cells)
-{
-    colour_cells_by(cells, true);
-}
-
-#if GLINT_CORTEX_M0PLUS_ASM
-/* The same in assembly, if it can. */
-static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells)
-{
-    const struct glint_mesh_target *const strip = cells->strip;
-    const struct glint_mesh_rim *const rim = cells->rim;
-    const uint32_t w = 2 * (uint32_t)strip->w;
-    const bool is_flat = rim->is & GLINT_RIM_FLAT;
-    if (cells->others || cells->cell.t != GLINT_MESH_FAR_T || strip->surface->stride != (ptrdiff_t)w)
-        return false;
-    const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
-    const struct glint_mesh_blend blend = {cells->paint->output.format == GLINT_RGB565_SWAPPED,
-                                           cells->cell.nl,
-                                           is_flat ? w : 2,
-                                           (uint32_t)rim->step,
-                                           cells->cell.dz,
-                                           cells->cell.dnl,
-                                           is_flat ? 2 : w,
-                                           rim->depth + (rim->end - rim->at) * (is_flat ? 1 : strip->w),
-                                           (uint32_t)strip->surface->pixels - (uint32_t)strip->depth,
-                                           look.colours,
-                                           look.dark,
-                                           rim->is & GLINT_RIM_GROWS ? 255u : 0u,
-                                           cells->cell.z,
-                                           rim->depth,
-                                           (uint32_t)rim->e};
-    glint_mesh_blend_matt(&blend);
-    return true;
-}
-#else
-/* The same, if nothing shines. */
-static __attribute__((noinline)) bool cells_blended(const struct glint_mesh_cells *cells)
-{
-    if (cells->cell.t != GLINT_MESH_FAR_T)
-        return false;
-    colour_cells_by(cells, false);
-    return true;
-}
-#endif
 
 static void cells_part(struct glint_mesh_cells *cells, unsigned part)
 {
@@ -525,7 +498,7 @@ static __attribute__((noinline)) void cells_draw(struct glint_mesh_cells *cells,
     others_set(cells);
     cells_set(cells);
     if (cells->is_colour) {
-        if (!cells_blended(cells))
+        if (!cells_matt(cells))
             colour_cells(cells);
         return;
     }

@@ -4,8 +4,6 @@
 #include "glint_mesh_edges.h"
 #include "glint_port.h"
 
-enum { UNLISTED = 0xfffe }; /* in links: no face has this number */
-
 /* ---- Memory: behind the mesh's ---- */
 
 uint32_t glint_mesh_edges_bytes(const struct glint_mesh *mesh, uint16_t h)
@@ -46,32 +44,13 @@ static bool edges_is_thin(const struct glint_mesh_drawn *drawn, const uint16_t f
     return -glint_mesh_area(a, b, c) < 2 * (x > y ? x : y);
 }
 
-/* Sorts the mesh, and tells which faces show their fronts: those in lists do, if they are not clipped. */
+/* Sorts the mesh, which marks the faces that show their fronts, and those that are clipped. */
 static void edges_fronts(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
 {
-    const unsigned count = drawn->mesh->face_count;
-#if GLINT_CORTEX_M0PLUS_ASM
     uint8_t *const edges = drawn->edges;
-    for (unsigned i = 0; i < count; i++)
+    for (unsigned i = drawn->mesh->face_count; i--;)
         edges[i] = 0;
-    for (uint32_t i = 0; i < glint_mesh_bands(frame->h); i++)
-        drawn->bands[i] = GLINT_MESH_NONE;
-    glint_mesh_sort_fronts(frame, drawn, frame->y);
-#else
-    const uint16_t *face = drawn->mesh->faces;
-    const struct glint_mesh_vertex *const v = drawn->vertices;
-    for (unsigned i = 0; i < count; i++)
-        drawn->links[i] = UNLISTED;
     glint_mesh_sort(frame, drawn, frame->y);
-    for (unsigned i = 0; i < count; i++, face += 3) {
-        uint8_t is = GLINT_EDGES_FRONT;
-        if (drawn->is_cut && glint_mesh_face_is_out(drawn, face))
-            is = GLINT_EDGES_CLIPPED;
-        else if (drawn->links[i] == UNLISTED && glint_mesh_area(&v[face[0]], &v[face[1]], &v[face[2]]) >= 0)
-            is = 0;
-        drawn->edges[i] = is;
-    }
-#endif
 }
 
 /* A clipped face shows what its fan shows at the edge that is in. */

@@ -380,15 +380,20 @@ enum glint_err glint_mesh_strip(struct glint_mesh_frame *frame, uint16_t y, uint
  * however the picture is cut into strips. */
 
 #if !GLINT_CORTEX_M0PLUS_ASM
-/* The line from y on where a face begins; -1 where it shows its back, or no line. */
+/* The line from y on where a face begins; -1 where it shows its back, or no line. edge: NULL, or where outlines mark it. */
 static int32_t lists_first(const struct glint_mesh_frame *frame, const struct glint_mesh_vertex *vertices,
-                           const uint16_t face[3], int32_t y)
+                           const uint16_t face[3], int32_t y, uint8_t *edge)
 {
     const struct glint_mesh_vertex *a = &vertices[face[0]], *b = &vertices[face[1]], *c = &vertices[face[2]];
-    if (a->out | b->out | c->out) /* seen once it is clipped, unless one plane cuts all of it */
+    if (a->out | b->out | c->out) { /* seen once it is clipped, unless one plane cuts all of it */
+        if (edge)
+            *edge |= GLINT_EDGES_IS_CLIPPED;
         return (a->out & b->out & c->out) == 0 ? y : -1;
+    }
     if (glint_mesh_area(a, b, c) >= 0)
         return -1;
+    if (edge)
+        *edge |= GLINT_EDGES_IS_FRONT;
     int32_t low = a->y, high = b->y;
     if (low > high) {
         low = b->y;
@@ -405,9 +410,10 @@ static int32_t lists_first(const struct glint_mesh_frame *frame, const struct gl
 void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
 {
     const uint16_t *face = drawn->mesh->faces + 3 * (size_t)drawn->mesh->face_count;
+    uint8_t *const edges = drawn->edges;
     for (unsigned i = drawn->mesh->face_count; i--;) {
         face -= 3;
-        const int32_t first = lists_first(frame, drawn->vertices, face, y);
+        const int32_t first = lists_first(frame, drawn->vertices, face, y, edges ? edges + i : NULL);
         if (first < 0)
             continue;
         uint16_t *band = &drawn->bands[(uint32_t)first / GLINT_MESH_BAND];
