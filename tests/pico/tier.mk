@@ -41,7 +41,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,end_to_end) $(BUILD)/glint" \
 		"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-teapot) $(BUILD)/glint" \
 		"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach $(call PICO_TEST,pose,-mesh-bunny) $(BUILD)/glint $(PICO_MESH_TESTED)" \
-		"tests/lab/guest --time basic --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
+		"tests/lab/guest --memory 1024 $(call PICO_TEST,webusb) $(BUILD)/glint $(PAGE)" \
 		"tests/lab/guest --time basic --memory 1024 $(call PICO_TEST,webusb_pose,-teapot) $(PAGE)" \
 		"$(call PICO_TEST,light)" "$(call PICO_TEST,te,-te$(PICO_TE_TESTED)-landing) $(PICO_TE_TESTED) $(PICO_LANDING_TESTED)" \
 		"$(call PICO_TEST,second_core,-two-cores)" "$(call PICO_TEST,exact,-exact)" \
