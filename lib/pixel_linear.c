@@ -234,18 +234,20 @@ LINEAR_ALONE uint32_t linear_found(const struct glint_paint *p, const struct gli
     return linear_level(encoded, linear_max(p, k), linear_threshold(p, run, i)) >> 16;
 }
 
-/* The levels of those alone, by arguments: the bits of what is another level at V + W. */
-LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, const union linear_pixel *arguments, uint32_t near,
+/* The levels of those alone: the bits of what is another level at V + W. parts: of the argument, or NULL: it lies at its pixel. */
+LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, const struct linear_parts *parts, uint32_t near,
                                     const struct glint_sample *sample, const struct glint_paint *p,
                                     const struct glint_run *run, unsigned k)
 {
     const uint32_t steps = linear_steps(p, run);
     const bool grey = glint_format_is_grey(p->output.format);
     uint32_t open = 0;
-    for (unsigned i = 0; near >> i; i++, at++, arguments++, sample++) {
+    for (unsigned i = 0; near >> i; i++, at++, sample++) {
         if (!(near >> i & 1))
             continue;
-        const uint32_t x = arguments->x[1], most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
+        const uint32_t x =
+            parts ? linear_x(linear_v(parts, sample->nl_q16, sample->f_q16), GLINT_LINEAR_SHIFT) : at->x[1];
+        const uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
         const uint32_t found = linear_found(p, run, i, k, x);
         /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P (and whose
          * samples lie before). */
@@ -269,26 +271,12 @@ struct linear_channels {
 void glint_linear_levels(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                          struct linear_channels *channels);
 
-/* From samples, as no argument is left. */
-LINEAR_ALONE uint32_t linear_settle_near(union linear_pixel *pixels, uint32_t near, const struct glint_sample *samples,
-                                         const struct glint_paint *p, const struct glint_run *run, unsigned k)
-{
-    union linear_pixel arguments[GLINT_RUN];
-    const struct linear_parts parts =
-        linear_parts_of(p->of.exact.p[k], p->of.exact.q[k], p->of.exact.r[k], GLINT_LINEAR_SHIFT);
-    for (unsigned i = 0; near >> i; i++)
-        if (near >> i & 1)
-            arguments[i].x[1] = linear_x(linear_v(&parts, samples[i].nl_q16, samples[i].f_q16), GLINT_LINEAR_SHIFT);
-    return linear_settle(pixels, arguments, near, samples, p, run, k);
-}
-
-/* Levels of a run of RGB, undithered, without maps, V not shifted down: the bits of those that are open. */
-LINEAR_ALONE uint32_t linear_rgb(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
-                                 const struct glint_paint *p, const struct glint_run *run)
+/* Levels of a run of RGB, undithered, without maps, V not shifted down; of each channel the bits of what is near. */
+LINEAR_ALONE void linear_rgb(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
+                             const struct glint_paint *p, const struct glint_run *run, uint32_t near[3])
 {
     struct linear_channels channels;
     struct glint_chords chords;
-    uint32_t open = 0;
     glint_srgb_chords(&chords, 0);
     channels.steps = linear_steps(p, run);
     channels.entries = chords.entry;
@@ -300,9 +288,7 @@ LINEAR_ALONE uint32_t linear_rgb(union linear_pixel *pixels, const struct glint_
     }
     glint_linear_levels(pixels, samples, count, &channels);
     for (unsigned k = 0; k < 3; k++)
-        if (channels.of[k].max)
-            open |= linear_settle_near(pixels, channels.of[k].max, samples, p, run, k);
-    return open;
+        near[k] = channels.of[k].max;
 }
 #endif
 
@@ -311,7 +297,7 @@ static inline uint32_t linear_decide(union linear_pixel *pixels, const struct gl
                                      const struct glint_paint *p, const struct glint_run *run, unsigned k)
 {
     const uint32_t near = run->soft ? ((uint32_t)1 << count) - 1 : linear_encode(pixels, count, p, run, k);
-    return near ? linear_settle(pixels, pixels, near, samples, p, run, k) : 0;
+    return near ? linear_settle(pixels, NULL, near, samples, p, run, k) : 0;
 }
 
 /* Grey's levels side by side. */
@@ -342,7 +328,13 @@ static uint32_t linear_levels(const struct glint_paint *p, const struct glint_ru
         linear_pack(pixels, count);
 #if GLINT_CORTEX_M0PLUS_ASM
     } else if (!maps && !run->apart && !run->soft && !p->output.dither && shift == GLINT_LINEAR_SHIFT) {
-        open = linear_rgb(pixels, samples, count, p, run);
+        uint32_t near[3];
+        linear_rgb(pixels, samples, count, p, run, near);
+        for (unsigned k = 0; k < 3; k++) {
+            const struct linear_parts parts = /* from samples, as no argument is left */
+                linear_parts_of(p->of.exact.p[k], p->of.exact.q[k], p->of.exact.r[k], shift);
+            open |= near[k] ? linear_settle(pixels, &parts, near[k], samples, p, run, k) : 0;
+        }
 #endif
     } else {
         for (unsigned k = 0; k < 3; k++, samples += run->apart) {
