@@ -10,18 +10,20 @@
 #if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
 
-/* The stack: what is the same for all channels, copied from *channels; then the channel's own. */
-#define OUR_STEPS 0
-#define OUR_ENTRIES 4
-#define OUR_R 8
-#define OUR_R_LOW 12
-#define OUR_END 16
-#define OUR_NEAR 20
-#define OUR_FIRST 24
-#define OUR_SAMPLES 28
-#define OUR_CHANNEL 32
-#define OUR_COUNT 36
-#define OUR_BYTES 40
+/* *channels. */
+#define AT_OF 0 /* P, then Q, then R, of three channels each */
+#define AT_STEPS 4
+#define AT_ENTRIES 8
+#define AT_NEAR 12 /* a channel's largest level, then the bits of what is near */
+
+/* The stack: the first pixel's level of the channel, END of them. */
+#define OUR_CHANNELS 0
+#define OUR_SAMPLES 4
+#define OUR_FIRST 8
+#define OUR_END 12
+#define OUR_R 16
+#define OUR_R_LOW 20
+#define OUR_BYTES 24
 
 at      .req r0
 sample  .req r1
@@ -43,38 +45,44 @@ function glint_linear_levels
     str r0, [sp, #OUR_FIRST]
     str r1, [sp, #OUR_SAMPLES]
     lsls r2, r2, #2
-    str r2, [sp, #OUR_COUNT]
-    ldmia r3!, {r4, r5}
-    str r4, [sp, #OUR_STEPS]
-    str r5, [sp, #OUR_ENTRIES]
+    adds r2, r2, r0
+    str r2, [sp, #OUR_END]
+    str r3, [sp, #OUR_CHANNELS]
     ldr t, .Lbias
     mov bias, t
     movs max, #0
-.Lchannel:
-    str r3, [sp, #OUR_CHANNEL]
-    ldmia r3!, {r2, r4, r5}         /* P, Q, R; then the largest level */
-    mov p, r2
-    lsrs r2, r4, #GLINT_LINEAR_FRACTION
-    mov q, r2
+.Lchannel:                          /* r3 is *channels */
+    lsls r1, at, #30
+    lsrs r1, r1, #28                /* 4 times the channel's number */
+    ldr r2, [r3, #AT_OF]
+    adds r2, r2, r1
+    adds r3, r3, r1
+    ldr r1, [r2]                    /* P, and 1/2 */
+    movs r4, #1
+    lsls r4, r4, #GLINT_LINEAR_SHIFT - 1
+    adds r1, r1, r4
+    mov p, r1
+    ldr r4, [r2, #12]               /* Q, as its upper bits and the lower ones */
+    lsrs r1, r4, #GLINT_LINEAR_FRACTION
+    mov q, r1
     lsls r4, r4, #32 - GLINT_LINEAR_FRACTION
     lsrs r4, r4, #32 - GLINT_LINEAR_FRACTION
     mov q_low, r4
-    lsrs r2, r5, #GLINT_LINEAR_FRACTION
-    str r2, [sp, #OUR_R]
-    lsls r5, r5, #32 - GLINT_LINEAR_FRACTION
-    lsrs r5, r5, #32 - GLINT_LINEAR_FRACTION
-    str r5, [sp, #OUR_R_LOW]
-    ldr t, [r3]
+    ldr r4, [r2, #24]               /* R */
+    lsrs r1, r4, #GLINT_LINEAR_FRACTION
+    str r1, [sp, #OUR_R]
+    lsls r4, r4, #32 - GLINT_LINEAR_FRACTION
+    lsrs r4, r4, #32 - GLINT_LINEAR_FRACTION
+    str r4, [sp, #OUR_R_LOW]
+    movs r4, #0
+    ldr t, [r3, #AT_NEAR]
+    str r4, [r3, #AT_NEAR]
     cmp t, max
     beq 1f                  /* the octave is at hand, with its margin */
     movs max, t
     movs bits, #16          /* none: x >> 16 is 0 */
 1:
-    ldr r2, [sp, #OUR_COUNT]
-    adds r2, at, r2
-    str r2, [sp, #OUR_END]
-    movs t, #0
-    str t, [sp, #OUR_NEAR]
+    ldr sample, [sp, #OUR_SAMPLES]
 .Lpixel:
     ldr y, [sample, #4]     /* N.L */
     ldr z, [sample, #8]     /* F */
@@ -130,14 +138,12 @@ function glint_linear_levels
     ldr t, [sp, #OUR_END]
     cmp at, t
     bne .Lpixel
-    ldr r3, [sp, #OUR_CHANNEL]
-    ldr t, [sp, #OUR_NEAR]
-    str t, [r3, #12]
-    adds r3, r3, #16
-    ldr sample, [sp, #OUR_SAMPLES]
+    adds t, t, #1
+    str t, [sp, #OUR_END]
     ldr at, [sp, #OUR_FIRST]
     adds at, at, #1
     str at, [sp, #OUR_FIRST]
+    ldr r3, [sp, #OUR_CHANNELS]
     lsls t, at, #30
     lsrs t, t, #30
     cmp t, #3
@@ -150,13 +156,17 @@ function glint_linear_levels
 
 .Lnear:
     ldr t, [sp, #OUR_FIRST]
-    subs t, at, t
-    lsrs t, t, #2
-    movs y, #1
-    lsls y, y, t
-    ldr t, [sp, #OUR_NEAR]
-    orrs t, t, y
-    str t, [sp, #OUR_NEAR]
+    subs y, at, t
+    lsrs y, y, #2
+    movs x, #1
+    lsls x, x, y
+    ldr y, [sp, #OUR_CHANNELS]
+    lsls t, t, #30
+    lsrs t, t, #28
+    adds y, y, t
+    ldr t, [y, #AT_NEAR]
+    orrs t, t, x
+    str t, [y, #AT_NEAR]
     b .Lnext
 
 /* x, turned by bits, is of another octave, or below all. */
@@ -183,7 +193,8 @@ function glint_linear_levels
     adds bits, bits, y
     subs y, bits, #2
     lsls y, y, #6           /* 32 entries an octave */
-    ldr z, [sp, #OUR_ENTRIES]
+    ldr z, [sp, #OUR_CHANNELS]
+    ldr z, [z, #AT_ENTRIES]
     adds z, z, y
     mov chords, z
     ldrh y, [z]
@@ -191,7 +202,8 @@ function glint_linear_levels
     subs z, z, y
     lsrs z, z, bits
     adds z, z, #1
-    ldr t, [sp, #OUR_STEPS]
+    ldr t, [sp, #OUR_CHANNELS]
+    ldr t, [t, #AT_STEPS]
     muls z, t
     lsls z, z, #1
     adds z, z, #3

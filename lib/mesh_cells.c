@@ -54,7 +54,8 @@ static void cells_show(const struct glint_mesh_target *strip)
 
 /* Those of the face, and those of its neighbours that lie beside the edges between, which reach it where these are narrow. window: NULL, the whole
  * strip. false: there was no room, and nothing is hidden. */
-static bool hide(const struct glint_mesh_target *strip, unsigned face, const struct glint_mesh_window *window)
+static __attribute__((noinline)) bool hide(const struct glint_mesh_target *strip, unsigned face,
+                                           const struct glint_mesh_window *window)
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
@@ -102,10 +103,10 @@ static bool hide(const struct glint_mesh_target *strip, unsigned face, const str
     return true;
 }
 
-/* A face of more cells than there is room for: a piece of a line after the other. */
-static inline __attribute__((always_inline)) void rows_in_pieces(const struct glint_paint *paint,
-                                                                 struct glint_mesh_triangle *triangle,
-                                                                 const struct glint_mesh_target *strip, bool is_colour)
+/* A face of more cells than there is room for: a piece of a line after the other. Alone, for the stack, as hide is. */
+static __attribute__((noinline)) void rows_of_many(const struct glint_paint *paint,
+                                                   struct glint_mesh_triangle *triangle,
+                                                   const struct glint_mesh_target *strip, bool is_colour)
 {
     const unsigned face = glint_mesh_face_of(triangle);
     const int32_t end = cells_min(triangle->y_end, strip->end);
@@ -143,14 +144,6 @@ static bool hide_all(const struct glint_mesh_triangle *triangle, const struct gl
     return hide(strip, glint_mesh_face_of(triangle), NULL);
 }
 
-/* Alone, for the stack. */
-static __attribute__((noinline)) void rows_of_many(const struct glint_paint *paint,
-                                                   struct glint_mesh_triangle *triangle,
-                                                   const struct glint_mesh_target *strip)
-{
-    rows_in_pieces(paint, triangle, strip, false);
-}
-
 static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                        const struct glint_mesh_target *strip)
 {
@@ -165,7 +158,7 @@ static void cells_rows(const struct glint_paint *paint, struct glint_mesh_triang
                 glint_mesh_rows(paint, triangle, strip);
             cells_show(strip);
         } else {
-            rows_of_many(paint, triangle, strip);
+            rows_of_many(paint, triangle, strip, false);
         }
     }
 }
@@ -186,12 +179,12 @@ bool glint_mesh_hide(struct glint_mesh_triangle *triangle, const struct glint_me
         return true;
     const struct glint_paint *const paint = cells_paint(strip->drawn, glint_mesh_face_of(triangle));
     if (glint_mesh_is_colour(paint, strip)) {
-        rows_in_pieces(paint, triangle, strip, true);
+        rows_of_many(paint, triangle, strip, true);
     } else { /* the assembly's struct glint_mesh_pixels stays in the strip's samples; of a mesh that it draws nothing is clipped */
         union glint_mesh_list *const list = ((struct glint_mesh_bench *)strip->frame->memory)->polygon.list;
         struct glint_mesh_target apart = *strip;
         apart.samples = list[strip->samples == list[0].samples].samples;
-        rows_of_many(paint, triangle, &apart);
+        rows_of_many(paint, triangle, &apart, false);
     }
     return false;
 }

@@ -234,24 +234,30 @@ LINEAR_ALONE uint32_t linear_found(const struct glint_paint *p, const struct gli
     return linear_level(encoded, linear_max(p, k), linear_threshold(p, run, i)) >> 16;
 }
 
-/* The levels of those alone: the bits of what is another level at V + W. parts: of the argument, or NULL: it lies at its pixel. */
-LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, const struct linear_parts *parts, uint32_t near,
+/* Step 7's argument, of a sample without maps, V not shifted down. */
+LINEAR_ALONE uint32_t linear_argument(const struct glint_paint *p, const struct glint_sample *sample, unsigned k)
+{
+    const struct linear_parts parts =
+        linear_parts_of(p->of.exact.p[k], p->of.exact.q[k], p->of.exact.r[k], GLINT_LINEAR_SHIFT);
+    return linear_x(linear_v(&parts, sample->nl_q16, sample->f_q16), GLINT_LINEAR_SHIFT);
+}
+
+/* The levels of those alone: the bits of what is another level at V + W. has_levels: levels have taken the arguments' places. */
+LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, bool has_levels, uint32_t near,
                                     const struct glint_sample *sample, const struct glint_paint *p,
                                     const struct glint_run *run, unsigned k)
 {
     const uint32_t steps = linear_steps(p, run);
-    const bool grey = glint_format_is_grey(p->output.format);
     uint32_t open = 0;
     for (unsigned i = 0; near >> i; i++, at++, sample++) {
         if (!(near >> i & 1))
             continue;
-        const uint32_t x =
-            parts ? linear_x(linear_v(parts, sample->nl_q16, sample->f_q16), GLINT_LINEAR_SHIFT) : at->x[1];
+        const uint32_t x = has_levels ? linear_argument(p, sample, k) : at->x[1];
         const uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
         const uint32_t found = linear_found(p, run, i, k, x);
         /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P (and whose
          * samples lie before). */
-        if ((grey || sample->nl_q16) && linear_found(p, run, i, k, most) != found)
+        if ((sample->nl_q16 || glint_format_is_grey(p->output.format)) && linear_found(p, run, i, k, most) != found)
             open |= (uint32_t)1 << i;
         at->levels[k] = (uint8_t)found;
     }
@@ -261,34 +267,29 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, const struct linear_
 #if GLINT_CORTEX_M0PLUS_ASM
 /* What cortex_m0plus_linear.S takes: words in this order. */
 struct linear_channels {
+    const uint32_t *of; /* P, Q and R of the paint, side by side */
     uint32_t steps;
     const uint16_t *entries; /* the first octave's */
-    struct {
-        uint32_t p, q, r;
-        uint32_t max; /* then: the bits of what is near */
-    } of[3];
+    uint32_t near[3];        /* the largest level; then the bits of what is near */
 };
 void glint_linear_levels(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                          struct linear_channels *channels);
 
-/* Levels of a run of RGB, undithered, without maps, V not shifted down; of each channel the bits of what is near. */
+/* Levels of a run of RGB, undithered, without maps, V not shifted down. Behind the run's pixels, of each channel, the bits of what is near. */
 LINEAR_ALONE void linear_rgb(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
-                             const struct glint_paint *p, const struct glint_run *run, uint32_t near[3])
+                             const struct glint_paint *p, const struct glint_run *run)
 {
     struct linear_channels channels;
     struct glint_chords chords;
     glint_srgb_chords(&chords, 0);
+    channels.of = p->of.exact.p;
     channels.steps = linear_steps(p, run);
     channels.entries = chords.entry;
-    for (unsigned k = 0; k < 3; k++) {
-        channels.of[k].p = p->of.exact.p[k] + ((uint32_t)1 << (GLINT_LINEAR_SHIFT - 1));
-        channels.of[k].q = p->of.exact.q[k];
-        channels.of[k].r = p->of.exact.r[k];
-        channels.of[k].max = linear_max(p, k);
-    }
+    for (unsigned k = 0; k < 3; k++)
+        channels.near[k] = linear_max(p, k);
     glint_linear_levels(pixels, samples, count, &channels);
     for (unsigned k = 0; k < 3; k++)
-        near[k] = channels.of[k].max;
+        pixels[GLINT_RUN + k].sum = channels.near[k];
 }
 #endif
 
@@ -297,7 +298,7 @@ static inline uint32_t linear_decide(union linear_pixel *pixels, const struct gl
                                      const struct glint_paint *p, const struct glint_run *run, unsigned k)
 {
     const uint32_t near = run->soft ? ((uint32_t)1 << count) - 1 : linear_encode(pixels, count, p, run, k);
-    return near ? linear_settle(pixels, NULL, near, samples, p, run, k) : 0;
+    return near ? linear_settle(pixels, false, near, samples, p, run, k) : 0;
 }
 
 /* Grey's levels side by side. */
@@ -328,13 +329,10 @@ static uint32_t linear_levels(const struct glint_paint *p, const struct glint_ru
         linear_pack(pixels, count);
 #if GLINT_CORTEX_M0PLUS_ASM
     } else if (!maps && !run->apart && !run->soft && !p->output.dither && shift == GLINT_LINEAR_SHIFT) {
-        uint32_t near[3];
-        linear_rgb(pixels, samples, count, p, run, near);
-        for (unsigned k = 0; k < 3; k++) {
-            const struct linear_parts parts = /* from samples, as no argument is left */
-                linear_parts_of(p->of.exact.p[k], p->of.exact.q[k], p->of.exact.r[k], shift);
-            open |= near[k] ? linear_settle(pixels, &parts, near[k], samples, p, run, k) : 0;
-        }
+        linear_rgb(pixels, samples, count, p, run);
+        for (unsigned k = 0; k < 3; k++)
+            if (pixels[GLINT_RUN + k].sum)
+                open |= linear_settle(pixels, true, pixels[GLINT_RUN + k].sum, samples, p, run, k);
 #endif
     } else {
         for (unsigned k = 0; k < 3; k++, samples += run->apart) {

@@ -185,6 +185,11 @@ class Sources:
         return None
 
 
+def clone_name(label):
+    """What gcc calls a function in its list of frames: of a clone its kind too, not its number. Assemblers without dots have $ in their place."""
+    return re.sub(r"\.\d+$", "", label.replace("$", "."))
+
+
 class Calls:
     """The call graph of some objects, read from their relocations (compiled with -ffunction-sections, every call has one),
     with the frames that gcc states (-fstack-usage). A call through a pointer may reach any function whose address is taken and whose
@@ -275,7 +280,7 @@ class Calls:
             chains = [self.depth(at, (*above, function)) if at else
                       (MULTIPLY_STACK if MULTIPLY.fullmatch(name) else HELPER_STACK, [name]) for name, at in below]
             deepest = max(chains, default=(0, []))
-            frame = self.frames.get((function[0], function[1].split(".")[0]), 0)
+            frame = self.frames.get((function[0], clone_name(function[1])), 0)
             self.memory[function] = frame + self.target.pushed + deepest[0], [function[1], *deepest[1]]
         return self.memory[function]
 

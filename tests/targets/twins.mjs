@@ -322,18 +322,18 @@ function linear() {
   for (let i = 0; i < 5000; i++) {
     const steps = 1 + i % 9, grows = i < 3277, maxima = i & 1 ? [31, 63, 31] : [255, 255, 255]
     const samples = Array.from({ length: COUNT }, (_, k) => [grows ? 0 : one(0, below(65537)), grows ? Math.min(20 * i + k, 65535) : one(0, 0, below(67110))])
-    const channels = maxima.map((max) => [8192 + (grows ? 0 : below(2 ** 28)), grows ? 0 : below(2 ** one(20, 29)), grows ? 2 ** 28 : below(2 ** one(20, 29)), max])
+    const channels = maxima.map((max) => [(grows ? 0 : below(2 ** 28)), grows ? 0 : below(2 ** one(20, 29)), grows ? 2 ** 28 : below(2 ** one(20, 29)), max])
     for (const fault of i % 10 ? [0] : [0, 1]) {
       samples.forEach(([nl, f], k) => [0, nl, f].forEach((value, j) => machine.memory.writeUInt32LE(value, SAMPLES - RAM + 12 * k + 4 * j)))
-      const words = [steps, table, ...channels.flatMap(([p, q, r, max]) => [p, q, fault ? r ^ 2 ** 25 : r, max])]
+      const words = [CHANNELS + 24, steps, table, ...maxima, ...channels.map(([p]) => p), ...channels.map(([, q]) => q), ...channels.map(([, , r]) => fault ? r ^ 2 ** 25 : r)]
       words.forEach((value, j) => machine.memory.writeUInt32LE(value, CHANNELS - RAM + 4 * j))
       run(machine, 'glint_linear_levels', [PIXELS, SAMPLES, COUNT, CHANNELS])
       let wrong = 0
       channels.forEach(([p, q, r, max], k) => samples.forEach(([nl, f], j) => {
-        const v = p + (q >>> 14) * nl + (r >>> 14) * f + Math.floor(((q & 16383) * nl + (r & 16383) * f) / 16384)
+        const v = 8192 + p + (q >>> 14) * nl + (r >>> 14) * f + Math.floor(((q & 16383) * nl + (r & 16383) * f) / 16384)
         const x = Math.min(Math.floor(v / 16384), 65535), most = Math.min(x + steps, 65535)
         if (v >= 2 ** 32) return
-        if (machine.memory.readUInt32LE(CHANNELS - RAM + 8 + 16 * k + 12) >>> j & 1) near += !fault
+        if (machine.memory.readUInt32LE(CHANNELS - RAM + 12 + 4 * k) >>> j & 1) near += !fault
         else wrong += [x, most].some((argument) => level(argument, max) !== machine.memory[PIXELS - RAM + 4 * j + k])
       }))
       found[1 + fault] += wrong > 0
