@@ -92,7 +92,7 @@ class Machine:
         self.target.tool("gcc", *words, f"@{self.folder}/link", *objects, "-lgcc", "-o", program)
 
 
-HANGS = 1800  # seconds: an image has ended by then, or never does
+HANGS = 3600  # seconds: an image has ended by then, also where a simulator counts for it, or never does
 NPM_WORD = os.path.relpath(NPM, SOURCE)
 
 
