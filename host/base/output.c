@@ -206,6 +206,8 @@ struct output *output_open(const char *path)
     if (exists)
         refuse_input(path, &status);
     if (exists && !S_ISREG(status.st_mode)) {
+        if (stream_stopped()) /* by a signal that came before, which ends no waiting */
+            exit(stop_status());
         output->stream = fopen(path, "wb"); /* of a pipe: waits for its reader */
         if (!output->stream) {
             stop_if_interrupted(errno);

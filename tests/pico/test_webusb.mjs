@@ -105,6 +105,7 @@ await run([
       equal(await trouble(connect()), sentences.held, 'the sentence')
     } finally { other.child.kill('SIGINT') }
     await board.serve(() => other.status !== undefined, 'the end of glint stream')
+    check(!other.text.includes('did not give the panel back'), `glint stream says ${other.text}`)
     await connect()
     await follow(words('0,.5,1'))
   }],

@@ -55,12 +55,20 @@ static void read_some(void)
     terminal.shown[terminal.len += (size_t)count] = '\0';
 }
 
-/* Waits until the text is shown after the first `from` bytes; where. */
+/* Waits until the text is shown after the first `from` bytes; where. A program that ends without it fails the test. */
 static const char *shows(size_t from, const char *text)
 {
     const char *at;
-    while (!(at = strstr(terminal.shown + from, text)))
-        read_some();
+    bool is_last = false; /* the mark stands behind all that the program wrote */
+    while (!(at = strstr(terminal.shown + from, text))) {
+        siginfo_t gone = {0};
+        if (is_last && strstr(terminal.shown + from, MARK))
+            fail_msg("it ended without '%s': %s", text + 1, run("cat said")->out);
+        if (!is_last && waitid(P_PID, (id_t)terminal.child, &gone, WEXITED | WNOHANG | WNOWAIT) == 0 && gone.si_pid)
+            is_last = write(terminal.line, MARK, 1) == 1;
+        if (poll(&(struct pollfd){.fd = terminal.screen, .events = POLLIN}, 1, 10) > 0)
+            read_some();
+    }
     return at;
 }
 
