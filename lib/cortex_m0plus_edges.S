@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_hide_face(target, face), as mesh_cells.c has hide of a whole strip where the outlines that it asks are kept; it leaves no register as it was.
- * glint_mesh_rim_set(rim, drawn, face, corner, window), as mesh_edges.c has it. And glint_mesh_blend_matt(blend), as colour_cells has it where nothing shines and lines lie side by side. */
+ * glint_mesh_rim_set(rim, drawn, face, corner, window), as mesh_edges.c has it. And glint_mesh_blend_matt(blend), as mesh_cells.c has it. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"

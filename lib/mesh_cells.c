@@ -94,7 +94,8 @@ static __attribute__((noinline)) bool hide(const struct glint_mesh_target *strip
                 cells_show(strip);
                 return false;
             }
-            hidden = hide_rim(hidden, rim, strip->w, at, end);
+            if (at < end) /* else its places lie anywhere */
+                hidden = hide_rim(hidden, rim, strip->w, at, end);
             if (!(rim->is & GLINT_RIM_MORE))
                 break;
         }

@@ -307,7 +307,7 @@ for (const [way, swapped, colours, alone] of ALBEDO) {
 }
 console.log('glint_mesh_albedo_lines', 15 * ALBEDO.length, ...unlike)
 
-// Levels in linear space beside the sequence: every argument, undithered, as far up as W may reach; then arguments from any products. A level that is
+// Levels in linear space beside the sequence, undithered: every argument, each of its largest levels by turns, and a W of up to 9 steps; then arguments from any products. A level that is
 // not called near is that of each.
 function linear() {
   const machine = load(`${folder}/npm`, `${folder}/m0plus-asm.elf`), table = machine.address('encodings'), at = machine.address('bench_memory') + 3 & ~3
