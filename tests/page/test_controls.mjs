@@ -274,9 +274,15 @@ run([
     ['long work shows at once that it goes on, and can be stopped', async () => {
         await browser.go(start)
         const before = (await shownIsDrawn()).join(' ')
+        const place = () => page.evaluate(() => {
+            const { x, y, width } = document.getElementById('canvas').getBoundingClientRect()
+            return JSON.stringify([x, y, width])
+        })
+        const here = await place()
         await page.evaluate(() => globalThis.workers.forEach(worker => { worker.isHeld = true })) // long on any machine
         await browser.set('control-size', '3000x3000')
         await browser.until(() => !document.getElementById('busy').hidden)
+        equal(await place(), here, 'the picture\'s place beside the sign of work')
         await page.click('#stop')
         equal((await shownIsDrawn()).join(' '), before, 'the state after it was stopped')
         await browser.until(() => document.getElementById('busy').hidden)
