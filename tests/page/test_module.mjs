@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // test_module.mjs PAGE GLINT: the page's module and engine in node, against the command.
+import { File } from 'node:buffer' // node 18 has no other
 import { execFileSync, spawn, spawnSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { request } from 'node:http'
