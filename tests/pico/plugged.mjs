@@ -58,8 +58,9 @@ export class Plugged {
     for (;;) {
       if (await done()) return
       check(Date.now() < end, `${what}: not in ${HANGS} s; the board says ${JSON.stringify(this.pico.uart)}`)
-      if (!this.bridge.step()) this.pico.run(() => false, 1)
-      await new Promise((resolve) => setTimeout(resolve, 1))
+      // Virtual time passes by timers; in real time a millisecond's timer waits for the kernel's tick, ten times as long.
+      if (!this.bridge.step()) this.pico.run(() => false, this.in_real_time ? 0.5 : 1)
+      await new Promise((resolve) => this.in_real_time ? setImmediate(resolve) : setTimeout(resolve, 1))
     }
   }
   // The same until a promise is kept; its value or its error.

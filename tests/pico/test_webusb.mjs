@@ -14,6 +14,7 @@ const engine = new Engine(new WebAssembly.Module(readFileSync(`${page}/module.wa
 const judge = new Judge(program, panel)
 const { width, height } = judge
 const board = new Plugged(packages, folder, judge)
+board.in_real_time = true // as a program that streams without pause would keep this one from going on
 const usb = webUsb(packages)
 engine.addWhite(white, width, height)
 
