@@ -142,8 +142,8 @@ static enum sink_result send_terminal(struct sink *sink, const struct frame *fra
     }
     uint8_t *rgb = frame_rgb(frame);
     sigset_t before;
-    signals_hold_but_faults(
-        &before); /* the threads that it leaves waiting hold them, too: the first alone takes them */
+    /* The threads that libchafa leaves waiting hold them, too: the first alone takes them. */
+    signals_hold_but_faults(&before);
     chafa_canvas_draw_all_pixels(terminal->canvas, CHAFA_PIXEL_RGB8, rgb, frame->width, frame->height,
                                  3 * frame->width);
     GString *text = chafa_canvas_print(terminal->canvas, terminal->info);

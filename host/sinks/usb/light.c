@@ -207,7 +207,7 @@ static enum sink_result send_message(struct light_sink *light, const uint8_t *me
     return result_of(light, fault, what);
 }
 
-/* The display's own host may be drawing; that is soon done. A signal does not keep the panel from being given back. */
+/* The display's own host may be drawing; that is soon done. */
 static enum sink_result give_light(struct light_sink *light, const int32_t to_light[3])
 {
     uint8_t message[LIGHT_MESSAGE_BYTES], status = GUD_OK;
@@ -313,8 +313,7 @@ static void wait_for_frames(struct light_sink *light)
     uint8_t status = GUD_BUSY;
     if (usb_bulk_wait(&light->port))
         return;
-    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS && !(light->port.stoppable && stream_stopped());
-         ms += ASK_MS) {
+    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS && !stream_stopped(); ms += ASK_MS) {
         usb_pause_ms(ASK_MS);
         if (light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1) != 1)
             return;
