@@ -118,7 +118,9 @@ bool output_same(const char *a, const char *b)
     if (a_exists || b_exists)
         return a_exists && b_exists && same_status(&of_a, &of_b);
     char *target_a = resolve(a), *target_b = resolve(b);
-    const bool same = target_a && target_b && same_place(target_a, target_b);
+    bool same = false;
+    if (target_a && target_b)
+        same = same_place(target_a, target_b);
     free(target_a);
     free(target_b);
     return same;
