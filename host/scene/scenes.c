@@ -88,6 +88,49 @@ static void set_pixel(const struct drawing *drawing, size_t pixel, const double 
 
 /* ---- reliefs ---- */
 
+/* The mean slopes over a cell, of the heights at its corners: above left and right, below left and right. */
+static void slopes(double normal[3], const double above[2], const double below[2], double side)
+{
+    normal[0] = (above[0] - above[1] + below[0] - below[1]) / (2 * side);
+    normal[1] = (below[0] - above[0] + below[1] - above[1]) / (2 * side);
+    normal[2] = 1;
+}
+
+/* Whether the ground of a pixel is steep, or no plane: by the heights at its corners and in its middle. */
+static bool is_bent(const double above[2], const double below[2], double middle, double side)
+{
+    const double plane = .02 * side;
+    return fabs(above[0] - below[1]) > side || fabs(above[1] - below[0]) > side ||
+           fabs(above[0] + below[1] - 2 * middle) > plane || fabs(above[1] + below[0] - 2 * middle) > plane;
+}
+
+/* Seen from above a wall between two grounds is thin, so a pixel's normal is the mean of its cells', of which most are ground. What they
+ * scatter dims the highlight and the colour, as by scene_soften: else a wall's edge is a row of sparks. */
+static void refine(const struct drawing *drawing, double normal[3], struct relief *point, double x, double y)
+{
+    enum { CELLS = 2 };
+    const double side = drawing->frame.pixel / CELLS, left = x - drawing->frame.pixel / 2,
+                 top = y + drawing->frame.pixel / 2;
+    double heights[CELLS + 1][CELLS + 1], sum[3] = {0, 0, 0};
+    for (unsigned i = 0; i <= CELLS; i++)
+        for (unsigned k = 0; k <= CELLS; k++)
+            heights[i][k] = drawing->thing(left + side * k, top - side * i, side, drawing->body).height;
+    for (unsigned i = 0; i < CELLS * CELLS; i++) {
+        const unsigned line = i / CELLS, at = i % CELLS;
+        double cell[3];
+        slopes(cell, &heights[line][at], &heights[line + 1][at], side);
+        const double length = length_of(cell);
+        for (unsigned k = 0; k < 3; k++)
+            sum[k] += cell[k] / length / (CELLS * CELLS);
+    }
+    const double mean = fmin(1, length_of(sum)), n = drawing->scene->finish.n,
+                 wider = mean * n / (mean + n * (1 - mean));
+    memcpy(normal, sum, sizeof sum);
+    point->gloss *= (1 + wider) / (1 + n);
+    for (unsigned k = 0; k < 3; k++)
+        point->albedo[k] *= mean;
+}
+
 /* Lines from first up to end. Heights are sampled at the pixels' corners: the mean slope over a pixel is then exact along its edges, and no
  * detail is lost between samples. Colours are sampled in the middle. */
 static void draw_relief_lines(const struct drawing *drawing, size_t first, size_t end)
@@ -102,11 +145,13 @@ static void draw_relief_lines(const struct drawing *drawing, size_t first, size_
         for (size_t x = 0; x <= width; x++)
             below[x] = drawing->thing(f.left + f.pixel * (double)x, edge_of(&f, y, 1), f.pixel, body).height;
         for (size_t x = 0; x < width; x++) {
-            const double right = (above[x + 1] - above[x] + below[x + 1] - below[x]) / (2 * f.pixel);
-            const double up = (above[x] - below[x] + above[x + 1] - below[x + 1]) / (2 * f.pixel);
             const double mx = f.left + f.pixel * ((double)x + .5), my = edge_of(&f, y, .5);
-            set_pixel(drawing, y * width + x, (double[3]){-right, -up, 1}, drawing->thing(mx, my, f.pixel, body), mx,
-                      my);
+            struct relief point = drawing->thing(mx, my, f.pixel, body);
+            double normal[3];
+            slopes(normal, &above[x], &below[x], f.pixel);
+            if (is_bent(&above[x], &below[x], point.height, f.pixel))
+                refine(drawing, normal, &point, mx, my);
+            set_pixel(drawing, y * width + x, normal, point, mx, my);
         }
         double *swap = above;
         above = below;
@@ -229,8 +274,8 @@ struct scene *scene_draw_lines(const char *name, uint32_t width, uint32_t height
     const struct drawing drawing = {scene,          frame_of(width, height, top), scenes[i].at,
                                     scenes[i].wall, body ? color : NULL,          cut};
     add_maps(scene, cut);
-    (drawing.thing ? draw_relief : draw_sphere)(&drawing);
     scene->finish = scenes[i].finish;
+    (drawing.thing ? draw_relief : draw_sphere)(&drawing);
     if (scenes[i].finish.n_across)
         scene->grain = (struct grain){scenes[i].grain, {width / 2., height / 2., 0}};
     return scene;
