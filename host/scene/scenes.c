@@ -105,7 +105,7 @@ static bool is_bent(const double above[2], const double below[2], double middle,
 }
 
 /* Seen from above a wall between two grounds is thin, so a pixel's normal is the mean of its cells', of which most are ground. What they
- * scatter dims the highlight and the colour, as by scene_soften: else a wall's edge is a row of sparks. */
+ * scatter dims the highlight, as by scene_soften: else a wall's edge is a row of sparks. */
 static void refine(const struct drawing *drawing, double normal[3], struct relief *point, double x, double y)
 {
     enum { CELLS = 2 };
@@ -127,8 +127,6 @@ static void refine(const struct drawing *drawing, double normal[3], struct relie
                  wider = mean * n / (mean + n * (1 - mean));
     memcpy(normal, sum, sizeof sum);
     point->gloss *= (1 + wider) / (1 + n);
-    for (unsigned k = 0; k < 3; k++)
-        point->albedo[k] *= mean;
 }
 
 /* Lines from first up to end. Heights are sampled at the pixels' corners: the mean slope over a pixel is then exact along its edges, and no
