@@ -4,7 +4,7 @@
  * And what comes before it: glint_mesh_sort_faces, glint_mesh_clear. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
-#include "cortex_m0plus_mesh.inc"
+#include "cortex_m0plus.inc"
 
 #define NONE GLINT_MESH_NONE
 

@@ -545,7 +545,7 @@ triangle_edge:
     b .Lt_stays
     .ltorg
 
-.Lmay_shine: /* Matt if t, which is lower between the corners by a side at most, stays beyond t_end. */
+.Lmay_shine: /* Matt if t, which is lower between the corners by two thirds of a side at most, stays beyond t_end. */
     add r7, sp, #CORNERS
     ldmia r7!, {r4-r6}
     ldr r0, [r4, #4]
@@ -564,6 +564,9 @@ triangle_edge:
     cmp r0, r1
     bhi .Lwide
     ldr r1, [sp, #BEYOND]
+    lsrs r2, r0, #GLINT_MESH_MARGIN_LOG
+    subs r2, r1, r2
+    str r2, [sp, #BEYOND] /* and by a margin, for .Lt */
     cmp r1, r0
     bls 1f
     movs r3, #GLINT_SHINE_MATT
@@ -574,7 +577,50 @@ triangle_edge:
     str r3, [sp, #SHINE]
     b .Lshine_known
 
-.Lt:
+.Lt: /* It is matt, too, where mesh_triangle.c's t_stays_beyond says so. */
+    ldr r7, [sp, #BEYOND]
+    cmp r7, #0
+    ble .Lt_set
+    ldr r6, [sp, #E]
+    adds r6, #18 - GLINT_MESH_GENTLE
+    bmi .Lt_set
+    mov r6, sp
+    ldmia r6!, {r3-r5}
+    ldr r3, [r3, #T_OF]
+    ldr r4, [r4, #T_OF]
+    ldr r5, [r5, #T_OF]
+    add r6, sp, #SIDES
+    ldmia r6!, {r0-r2}
+    /* r6: the least t; r4, r5: the others; r2, r1: the sides to these. */
+    cmp r3, r4
+    bhi 2f
+    movs r6, r3
+    cmp r3, r5
+    bls 3f
+1:  movs r6, r5
+    movs r5, r3
+    movs r2, r0
+    b 3f
+2:  cmp r4, r5
+    bhi 1b
+    movs r6, r4
+    movs r4, r3
+    movs r1, r0
+3:  subs r6, r6, r7
+    lsls r2, r2, #1
+    subs r4, r4, r2
+    subs r4, r4, r6
+    cmp r4, #0
+    ble .Lt_set
+    lsls r1, r1, #1
+    subs r5, r5, r1
+    subs r5, r5, r6
+    cmp r5, #0
+    ble .Lt_set
+    ldr r7, [sp, #TRIANGLE]
+    movs r0, #GLINT_SHINE_MATT
+    b .Lfar
+.Lt_set:
     mov r7, sp
     ldmia r7!, {r0-r2}
     ldr r0, [r0, #T_OF]

@@ -139,6 +139,7 @@ function lists() {
 // sizes, since it is by these that a line is known to miss the highlight; and steps by which t wraps between the ends of a line that are past
 // t_max. Pixels are aligned, as these lines need them.
 const SURFACE = 0x20, TARGET = 0x30, TRIANGLE = 0x60, DEPTH = 0x100, OUT = 0x400, COLUMNS = 0x800, COLOURS = 0x1800, COLOURS_END = 0x5800
+const UPPER = TRIANGLE + FIELD.TRIANGLE_LONG + 8
 const tables = Uint8Array.from({ length: COLOURS_END - COLUMNS }, (_, i) => below(256) & (i < COLOURS - COLUMNS ? 0x7e : 0xff))
 function colours() {
   const bytes = Buffer.alloc(COLOURS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
@@ -167,7 +168,9 @@ function colours() {
   lines.forEach((line, k) => bytes.writeUInt16LE(y + line, TRIANGLE + FIELD.TRIANGLE_Y + 2 * k))
   bytes.writeUInt8(shine, TRIANGLE + FIELD.TRIANGLE_SHINE)
   bytes.writeUInt8(wraps ? 0 : below(2), TRIANGLE + FIELD.TRIANGLE_LONG_IS_LEFT)
-  return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
+  // A triangle is read again where it goes on in the next strip, its upper edge where that does.
+  const goesOn = lines[2] > 8, unread = goesOn && lines[1] >= 8 ? [] : [goesOn ? [UPPER, UPPER + 4] : [TRIANGLE, TRIANGLE + FIELD.TRIANGLE_SHINE]]
+  return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3, { unread }]
 }
 
 // What mesh_begin paints with: by tables and exactly, and by tables of a smaller highlight and other dark pixels. Of each program its own,
