@@ -18,6 +18,7 @@
 #define UY 28
 #define E 36     /* e - 18 */
 #define SIDES 40 /* rr, qq, pp; then B, C, A: P.Q, Q.Q, P.P of 15 bits */
+#define PLACES SIDES /* before: x, y of the vertices */
 #define TRIANGLE 52
 #define SHINE 56 /* flat and glossy: FLAT */
 #define CORNERS 60
@@ -114,10 +115,14 @@
     strh r4, [r0]
     cmp r4, r7
     bge .Lnothing
-    movs r4, #0
-    ldrsh r1, [r1, r4]
-    ldrsh r2, [r2, r4]
-    ldrsh r3, [r3, r4]
+    ldr r1, [r1]
+    ldr r2, [r2]
+    ldr r3, [r3]
+    add r7, sp, #PLACES
+    stmia r7!, {r1-r3}
+    sxth r1, r1
+    sxth r2, r2
+    sxth r3, r3
     subs r4, r2, r1 /* x1 */
     subs r3, r1, r3 /* -x2 */
     movs r1, r6
@@ -135,14 +140,14 @@
     movs r4, #1
 1:  strb r4, [r0, #GLINT_AT_TRIANGLE_LONG_IS_LEFT - GLINT_AT_TRIANGLE_Y]
     subs r0, #GLINT_AT_TRIANGLE_Y - GLINT_AT_TRIANGLE_LONG
-    ldr r1, [sp, #VERTICES]
-    ldr r2, [sp, #VERTICES + 8]
+    ldr r1, [sp, #PLACES]
+    ldr r2, [sp, #PLACES + 8]
     bl triangle_edge
-    ldr r1, [sp, #VERTICES]
-    ldr r2, [sp, #VERTICES + 4]
+    ldr r1, [sp, #PLACES]
+    ldr r2, [sp, #PLACES + 4]
     bl triangle_edge
-    ldr r1, [sp, #VERTICES + 4]
-    ldr r2, [sp, #VERTICES + 8]
+    ldr r1, [sp, #PLACES + 4]
+    ldr r2, [sp, #PLACES + 8]
     bl triangle_edge
     bl glint_mesh_triangle_values /* does not return here */
 .Lnothing:
@@ -245,14 +250,12 @@
     add r1, sp, #FACE
     b .Lcorners
 
-/* An edge from vertex r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
+/* An edge from place r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
     .section .text.triangle_edge, "ax", %progbits
     .type triangle_edge, %function
     .balign 4
     .thumb_func
 triangle_edge:
-    ldr r1, [r1] /* x, y */
-    ldr r2, [r2]
     asrs r4, r1, #16
     asrs r5, r2, #16
     first r6, r4
@@ -266,13 +269,19 @@ triangle_edge:
     lsls r6, r6, #4
     adds r6, #8
     subs r6, r6, r4 /* from the corner to the line's middle */
-    movs r3, #14    /* 31 - zeros(dy) */
-    lsls r5, r5, #17
-    up_by_15 r5, r3, r4
-    mov r12, r3
-    inverse_of r5, r4, r7, r3
+    lsrs r4, r5, #8
+    bne .Lhigh
+    movs r3, #7     /* 31 - zeros(dy) */
+    lsls r5, r5, #24
+    up_by 4, r5, r3, r4
+    up_by 2, r5, r3, r4
+    up_by 1, r5, r3, r4
+    lsrs r5, r5, #23
+    ldr r4, =triangle_inverses - 256
+    ldrh r5, [r4, r5]
+    adds r5, #1
+.Lstep:
     muls r2, r5
-    mov r3, r12
     asrs r2, r3 /* the step */
     asrs r3, r2, #4
     muls r3, r6
@@ -282,12 +291,32 @@ triangle_edge:
     adds r1, r1, r3
     stmia r0!, {r1, r2}
     bx lr
+.Lhigh:
+    movs r3, #14
+    lsls r5, r5, #17
+    up_by 4, r5, r3, r4
+    up_by 2, r5, r3, r4
+    up_by 1, r5, r3, r4
+    mov r12, r3
+    inverse_of r5, r4, r7, r3
+    mov r3, r12
+    b .Lstep
 .Lno_line:
     movs r1, #0
     movs r2, #0
     stmia r0!, {r1, r2}
     bx lr
     .ltorg
+
+/* glint_mesh_inverse, less 1, of what has 8 bits. */
+    .section .rodata.triangle_inverses, "a", %progbits
+    .balign 2
+triangle_inverses:
+    .set height, 128
+    .rept 128
+    .short ((1 << 23) + height / 2) / height - 1
+    .set height, height + 1
+    .endr
 
 /* ---- values ----
  * The end of glint_mesh_triangle_set, whose frame it takes over: glint_mesh_values_set, as mesh_triangle.c has it: slopes, the depth, nl, and t
