@@ -295,7 +295,9 @@ colour_lines:
     adds r3, r3, r1
     adds r5, r5, r1
     str r5, [sp, #TRIANGLE_LAST]
-    adds r7, #GLINT_AT_TRIANGLE_LONG + 8 /* the upper edge */
+    adds r7, #GLINT_AT_TRIANGLE_LONG
+    movs r1, r7
+    adds r7, #8 /* the upper edge */
     cmp r2, r3
     blo 1f
     adds r7, #8
@@ -304,14 +306,12 @@ colour_lines:
     blo 1f
     movs r3, r5
 1:  str r3, [sp, #LAST]
-    ldr r3, [sp, #TRIANGLE]
-    adds r3, #GLINT_AT_TRIANGLE_LONG
     lsls r0, r4, #31 - 8
     bmi 1f
-    ldmia r3!, {r2, r6}
+    ldmia r1!, {r2, r6}
     ldmia r7!, {r0, r5}
     b 2f
-1:  ldmia r3!, {r0, r5}
+1:  ldmia r1!, {r0, r5}
     ldmia r7!, {r2, r6}
 2:  lsls r4, r4, #24
     beq .Ldark

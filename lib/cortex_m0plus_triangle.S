@@ -26,7 +26,7 @@
 #define AREA 76
 #define LAY 80 /* below 0: slopes are laid behind the triangle */
 #define FACE 84 /* the corners of a face */
-#define FRAME 108 /* with r4-r7 and lr a multiple of 8 */
+#define FRAME 108 /* with lr a multiple of 8 */
 
 /* least: of t at three vertices; second and third are lost. */
 .macro least_t least, first, second, third
@@ -61,7 +61,10 @@
 .endm
 
     function glint_mesh_triangle_set
-    push {r4-r7, lr}
+    push {r3-r7, lr}
+    bl 1f
+    pop {r3-r7, pc}
+1:  push {lr}
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
     movs r0, #0
@@ -153,7 +156,7 @@
 .Lnothing:
     movs r0, #0
     add sp, #FRAME
-    pop {r4-r7, pc}
+    pop {pc}
 
 /* r3-r5: a face's normals of 8 bits from r1 on; r2: the face. The differences' squares: r2, r6, r1. */
 .macro normal to, at
@@ -178,7 +181,12 @@
 
 /* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it; t_end + 2^31: slopes are laid, too. Sides between normals of 8 bits as glint_mesh_sides8 has them. */
     entry glint_mesh_face_set
-    push {r4-r7, lr}
+    push {r3-r7, lr}
+    bl glint_mesh_face_lines
+    pop {r3-r7, pc}
+
+    entry glint_mesh_face_lines /* the same; r4-r7 are lost */
+    push {lr}
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
     str r3, [sp, #LAY]
@@ -365,7 +373,35 @@ triangle_inverses:
     ldr r3, [sp, #SHINE]
     cmp r3, #GLINT_SHINE_MATT
     bls .Lshine_known
-    b .Lmay_shine
+    /* Matt if t, which is lower between the corners by two thirds of a side at most, stays beyond t_end. */
+    add r7, sp, #CORNERS
+    ldmia r7!, {r4-r6}
+    ldr r0, [r4, #4]
+    ldr r1, [r5, #4]
+    ldr r2, [r6, #4]
+    add r7, sp, #SIDES
+    stmia r7!, {r0-r2}
+    cmp r0, r1
+    bhs 1f
+    movs r0, r1
+1:  cmp r0, r2
+    bhs 1f
+    movs r0, r2
+1:  movs r1, #1
+    lsls r1, r1, #29
+    cmp r0, r1
+    bls 1f
+    movs r3, #FLAT
+    str r3, [sp, #SHINE]
+    b .Lshine_known
+1:  ldr r1, [sp, #BEYOND]
+    lsrs r2, r0, #GLINT_MESH_MARGIN_LOG
+    subs r2, r1, r2
+    str r2, [sp, #BEYOND] /* and by a margin, for .Lt */
+    cmp r1, r0
+    bls .Lshine_known
+    movs r3, #GLINT_SHINE_MATT
+    str r3, [sp, #SHINE]
 .Lshine_known:
     ldr r2, [sp, #AREA]
     /* The inverse of the area, and its sign. */
@@ -506,7 +542,7 @@ triangle_inverses:
 .Lreturn:
     movs r0, #1
     add sp, #FRAME
-    pop {r4-r7, pc}
+    pop {pc}
 
 .Llay: /* what glint_mesh_albedo_draw makes u and v of */
     movs r1, #GLINT_MESH_SLOPED
@@ -573,38 +609,6 @@ triangle_inverses:
     movs r0, #GLINT_SHINE_MATT + 1
     b .Lt_stays
     .ltorg
-
-.Lmay_shine: /* Matt if t, which is lower between the corners by two thirds of a side at most, stays beyond t_end. */
-    add r7, sp, #CORNERS
-    ldmia r7!, {r4-r6}
-    ldr r0, [r4, #4]
-    ldr r1, [r5, #4]
-    ldr r2, [r6, #4]
-    add r7, sp, #SIDES
-    stmia r7!, {r0-r2}
-    cmp r0, r1
-    bhs 1f
-    movs r0, r1
-1:  cmp r0, r2
-    bhs 1f
-    movs r0, r2
-1:  movs r1, #1
-    lsls r1, r1, #29
-    cmp r0, r1
-    bhi .Lwide
-    ldr r1, [sp, #BEYOND]
-    lsrs r2, r0, #GLINT_MESH_MARGIN_LOG
-    subs r2, r1, r2
-    str r2, [sp, #BEYOND] /* and by a margin, for .Lt */
-    cmp r1, r0
-    bls 1f
-    movs r3, #GLINT_SHINE_MATT
-    str r3, [sp, #SHINE]
-1:  b .Lshine_known
-.Lwide:
-    movs r3, #FLAT
-    str r3, [sp, #SHINE]
-    b .Lshine_known
 
 .Lt: /* It is matt, too, where mesh_triangle.c's t_stays_beyond says so. */
     ldr r7, [sp, #BEYOND]
