@@ -135,7 +135,8 @@
 
 /* Pixels of a matt line, or of one that is as if it were. */
 .macro matt_pixels name
-1:  in_front \name\()_behind
+\name\()_pixel:
+    in_front \name\()_behind
     asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi \name\()_dark
     lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
@@ -145,14 +146,18 @@
     add z, dz
     add nl, dnl
     adds pixel, #2
-    bne 1b
+    bne \name\()_pixel
 .endm
 
-.macro matt_dark name
+.macro matt_dark name, then
 \name\()_dark:
-    ldr r5, [sp, #DARK]
-    strh r5, [out, pixel]
-    b \name\()_behind
+    ldr r6, [sp, #DARK]
+    strh r6, [out, pixel]
+    add z, dz
+    add nl, dnl
+    adds pixel, #2
+    bne \name\()_pixel
+    b \then
 .endm
 
 /* A dark or a matt triangle: r0, r5: the left edge and its step, r2, r6: the right one. */
@@ -278,9 +283,8 @@ colour_lines:
     orrs r4, r0
 1:  str r4, [sp, #SIDES]
     cmp r2, r5
-    blt 1f
-    b .Ldone
-1:  ldr r0, [sp, #OUT_STEP]
+    bge .Lnone
+    ldr r0, [sp, #OUT_STEP]
     muls r0, r2
     ldr r1, [sp, #OUT_FIRST]
     adds r0, r0, r1
@@ -318,12 +322,15 @@ colour_lines:
     lsrs r4, r4, #24 + 1
     beq .Lmatt
     b .Lglossy
+.Lnone:
+    add sp, #LINES_FRAME
+    pop {pc}
 
 .Ldark:
     plain dark, DARK, 0
 .Lmatt:
     plain matt, COLOURS, 1
-    matt_dark .Lmatt
+    matt_dark .Lmatt, .Lmatt_next
 
 /* r5, r6: the left and the right edge. */
 .Lgoes_on:
@@ -427,11 +434,11 @@ colour_lines:
     lsrs r6, r5
     add r6, columns
     ldrb r6, [r6]
-3:  asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
     bmi 5f
     lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
     adds r5, r5, r6
-    ldr r6, [sp, #COLOURS]
+3:  ldr r6, [sp, #COLOURS]
     ldrh r5, [r6, r5]
     strh r5, [out, pixel]
 4:  add z, dz
@@ -481,10 +488,12 @@ colour_lines:
 5:  ldr r5, [sp, #DARK]
     strh r5, [out, pixel]
     b 4b
-6:  ldr r5, [sp, #LIMIT] /* t is over t_max, or a little below 0 */
-    cmp r6, r5
-    bls 7f
-    movs r6, #0
+6:  asrs r5, t, #GLINT_NEGATIVE_T_LOG /* t is over t_max, or a little below 0 */
+    adds r5, #1
+    beq 7f
+    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    bmi 5b
+    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
     b 3b
 7:  mov r6, t_max
     b 2b
@@ -530,9 +539,10 @@ colour_lines:
     ldr colours, [sp, #COLOURS]
     ldr pixel, [sp, #NOW + 4]
     matt_pixels .Lmiss
+.Lmiss_end:
     ldr t, [sp, #NOW]
     b .Lglossy_next
-    matt_dark .Lmiss
+    matt_dark .Lmiss, .Lmiss_end
 .Lhits_yet:
     ldr t, [sp, #NOW]
     ldr pixel, [sp, #NOW + 4]
