@@ -19,9 +19,7 @@
 #define TRIANGLE 40
 #define SIDES 44 /* shine; 256 where the long edge is the left one, 65536 where it goes on */
 #define TRIANGLE_LAST 48 /* depths after the triangle's last line here */
-#define LONGEST 52 /* columns after the first of a line that may be drawn as if it were matt */
-#define NOW 56 /* such a line's t, and the pixel */
-#define LINES_FRAME 64
+#define LINES_FRAME 52
 #define LINES (LINES_FRAME + 4)
 #define OUT_FIRST (LINES + 4) /* of line 0 of the picture */
 #define DEPTH_FIRST (LINES + 8)
@@ -387,13 +385,6 @@ colour_lines:
     adds depth, depth, r6
     mov out, outs
     adds out, out, r6
-    movs r6, #31
-    asrs r5, r0, #31
-    eors r0, r5
-    lsrs r0, r0, #26
-    beq 1f
-    movs r6, #0
-1:  str r6, [sp, #LONGEST]
     ldr r0, [sp, #COLUMNS]
     mov columns, r0
     ldr r0, [sp, #T_MAX]
@@ -424,11 +415,11 @@ colour_lines:
     t_aside
     mov r6, t_max
     subs r6, r6, t
-    bmi .Lmay_miss
-.Lhits:
+    bmi .Lout
 1:  in_front 4f
     mov r6, t_max
     subs r6, r6, t
+.Lhit:
     blo 6f
 2:  ldr r5, [sp, #SHIFT]
     lsrs r6, r5
@@ -438,7 +429,7 @@ colour_lines:
     bmi 5f
     lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
     adds r5, r5, r6
-3:  ldr r6, [sp, #COLOURS]
+    ldr r6, [sp, #COLOURS]
     ldrh r5, [r6, r5]
     strh r5, [out, pixel]
 4:  add z, dz
@@ -490,63 +481,32 @@ colour_lines:
     b 4b
 6:  asrs r5, t, #GLINT_NEGATIVE_T_LOG /* t is over t_max, or a little below 0 */
     adds r5, #1
-    beq 7f
-    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
-    bmi 5b
-    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
-    b 3b
-7:  mov r6, t_max
+    bne 2f
+    mov r6, t_max
     b 2b
 
-/* r6: t_max - t, which is below 0 at the line's first pixel: t is past t_max, and not below 0, since LIMIT < 2^31. So it is at the m pixels
- * behind it if it is at the last one and t only grows or only falls: if its first step and that after the last pixel have one sign. With m < 32
- * and |ddt| <= 2^26 the latter is exact; with both below 2^26 t changes by less than 2^31, so that no sign is wrong. */
-.Lmay_miss:
-    adds r5, r0, #6 /* up to 3 pixels take less than to ask */
-    bpl .Lhits
-    str t, [sp, #NOW]
-    str pixel, [sp, #NOW + 4]
-    asrs r0, r0, #1
-    mvns r0, r0 /* m */
-    ldr r5, [sp, #LONGEST]
-    cmp r0, r5
-    bhi .Lhits_yet
-    mov r5, dt
-    muls r5, r0
-    adds t, t, r5
-    subs r5, r0, #1
-    muls r5, r0
-    asrs r5, r5, #1
-    mov r6, ddt
-    muls r5, r6
-    adds t, t, r5
-    muls r6, r0
-    add r6, dt
-    mov r5, t_max
-    subs r5, r5, t
-    bpl .Lhits_yet
-    mov r5, dt
-    asrs r0, r5, #31
-    eors r5, r0
-    eors r0, r6
-    orrs r5, r0
-    lsrs r5, r5, #26
-    bne .Lhits_yet
-    adds t, t, r6
-    str t, [sp, #NOW]
-    add r6, ddt
-    mov dt, r6
-    ldr colours, [sp, #COLOURS]
-    ldr pixel, [sp, #NOW + 4]
-    matt_pixels .Lmiss
-.Lmiss_end:
-    ldr t, [sp, #NOW]
+/* Pixels past t_max: mostly one after the other. */
+.Lout:
+1:  in_front 3f
+    mov r6, t_max
+    subs r6, r6, t
+    bpl .Lhit
+2:  asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    bmi 4f
+    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
+    ldr r6, [sp, #COLOURS]
+    ldrh r5, [r6, r5]
+    strh r5, [out, pixel]
+3:  add z, dz
+    add nl, dnl
+    add t, dt
+    add dt, ddt
+    adds pixel, #2
+    bne 1b
     b .Lglossy_next
-    matt_dark .Lmiss, .Lmiss_end
-.Lhits_yet:
-    ldr t, [sp, #NOW]
-    ldr pixel, [sp, #NOW + 4]
-    b .Lhits
+4:  ldr r5, [sp, #DARK]
+    strh r5, [out, pixel]
+    b 3b
 
 .Lglossy_last:
     ldr r0, [sp, #SIDES]
