@@ -30,7 +30,6 @@
 #define COLOURS (LINES + GLINT_AT_LINES_COLOURS)
 #define DARK (COLOURS + 4)
 #define SHIFT (COLOURS + 8)
-#define LIMIT (COLOURS + 12) /* of t_max - t: t is up to t_max, or a little below 0 */
 #define W (COLOURS + 16)
 #define END (COLOURS + 20)
 #define COLUMNS (COLOURS + 24)
@@ -413,9 +412,6 @@ colour_lines:
     aside z, dz
     aside nl, dnl
     t_aside
-    mov r6, t_max
-    subs r6, r6, t
-    bmi .Lout
 1:  in_front 4f
     mov r6, t_max
     subs r6, r6, t
@@ -486,7 +482,6 @@ colour_lines:
     b 2b
 
 /* Pixels past t_max: mostly one after the other. */
-.Lout:
 1:  in_front 3f
     mov r6, t_max
     subs r6, r6, t

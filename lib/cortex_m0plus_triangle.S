@@ -293,9 +293,9 @@ triangle_edge:
     asrs r2, r3 /* the step */
     asrs r3, r2, #4
     muls r3, r6
+    adds r1, #8
     lsls r1, r1, #12
-    adds r1, r1, r3
-    ldr r3, =65535 - 32768
+    subs r1, #1 /* 65535 - 32768 more */
     adds r1, r1, r3
     stmia r0!, {r1, r2}
     bx lr
