@@ -23,14 +23,15 @@
 #define LINES (LINES_FRAME + 4)
 #define OUT_FIRST (LINES + 4) /* of line 0 of the picture */
 #define DEPTH_FIRST (LINES + 8)
-#define PLAIN (LINES + 16) /* dark and matt: the values' column; steps of depths and of pixels; depths after the part's last line */
+#define PLAIN (LINES + 12) /* w; dark and matt: the values' column; steps of depths and of pixels; depths after the part's last line */
+#define COLUMN_NOW (LINES + 16)
 #define DEPTH_STEP (LINES + 20)
 #define OUT_STEP (LINES + 24)
 #define LAST (LINES + 28)
 #define COLOURS (LINES + GLINT_AT_LINES_COLOURS)
 #define DARK (COLOURS + 4)
 #define SHIFT (COLOURS + 8)
-#define W (COLOURS + 16)
+#define W PLAIN
 #define END (COLOURS + 20)
 #define COLUMNS (COLOURS + 24)
 #define T_MAX (COLOURS + 28)
@@ -90,9 +91,8 @@
     b \skip
 .endm
 
-/* r5, r6: columns from..to - 1; r0: less how many they are. */
-.macro columns_held hold, skip
-    ldr r0, [sp, #W]
+/* r5, r6: columns from..to - 1, r0: w; then less how many they are. */
+.macro held hold, skip
     subs r0, r0, r6
     orrs r0, r5
     bmi \hold
@@ -169,25 +169,25 @@
     add r0, sp, #STEPS
     stmia r0!, {r3-r6}
     ldmia r7!, {z, nl}
-    subs r7, #8
-    ldr r3, [r7, #GLINT_AT_TRIANGLE_ZX]
+    ldr r3, [r7, #GLINT_AT_TRIANGLE_ZX - 8]
     mov dz, r3
     .if \is_matt
-    ldr r3, [r7, #GLINT_AT_TRIANGLE_NLX]
+    ldr r3, [r7, #GLINT_AT_TRIANGLE_NLX - 8]
     mov dnl, r3
     .endif
     ldr colours, [sp, #\constant]
-    ldr r4, [r7, #GLINT_AT_TRIANGLE_X]
-    str r4, [sp, #PLAIN]
-.L\name\()_line: /* r4: the values' column */
+    ldr r4, [r7, #GLINT_AT_TRIANGLE_X - 8]
+    str r4, [sp, #COLUMN_NOW]
+    ldr r0, [sp, #PLAIN]
+.L\name\()_line: /* r0: w, r4: the values' column */
     mov r5, left
     asrs r5, r5, #16
     mov r6, right
     asrs r6, r6, #16
-    columns_held .L\name\()_hold, .L\name\()_next
+    held .L\name\()_hold, .L\name\()_next
 .L\name\()_held:
     subs r5, r5, r4
-    str r6, [sp, #PLAIN]
+    str r6, [sp, #COLUMN_NOW]
     lsls depth, r6, #1
     lsls out, r6, #1
     add depth, depths
@@ -214,20 +214,20 @@
     add left, r6
     add right, r7
     add r0, sp, #PLAIN
-    ldmia r0!, {r4-r7}
+    ldmia r0, {r0, r4-r7}
     add depths, r5
     add outs, r6
     cmp depths, r7
     bne .L\name\()_line
-    ldr r0, [sp, #TRIANGLE_LAST]
-    cmp r7, r0
+    ldr r5, [sp, #TRIANGLE_LAST]
+    cmp r7, r5
     beq 3f
-    str r0, [sp, #LAST]
-    ldr r0, [sp, #TRIANGLE]
-    adds r0, #GLINT_AT_TRIANGLE_LONG + 16
-    ldmia r0!, {r5, r6}
-    ldr r0, [sp, #SIDES]
-    lsls r0, r0, #31 - 8
+    str r5, [sp, #LAST]
+    ldr r7, [sp, #TRIANGLE]
+    adds r7, #GLINT_AT_TRIANGLE_LONG + 16
+    ldmia r7!, {r5, r6}
+    ldr r7, [sp, #SIDES]
+    lsls r7, r7, #31 - 8
     bmi 2f
     mov left, r5
     str r6, [sp, #STEPS + 8]
@@ -379,11 +379,10 @@ colour_lines:
     muls r5, r6
     subs r4, r4, r5
     str r4, [sp, #DOWN]
-    lsls r6, r6, #1
-    mov depth, depths
-    adds depth, depth, r6
-    mov out, outs
-    adds out, out, r6
+    lsls depth, r6, #1
+    lsls out, r6, #1
+    add depth, depths
+    add out, outs
     ldr r0, [sp, #COLUMNS]
     mov columns, r0
     ldr r0, [sp, #T_MAX]
@@ -398,7 +397,8 @@ colour_lines:
     adds r6, r6, r0
     str r6, [sp, #RIGHT]
     asrs r6, r0, #16
-    columns_held .Lglossy_hold, .Lglossy_next
+    ldr r0, [sp, #W]
+    held .Lglossy_hold, .Lglossy_next
 .Lglossy_held:
     ldr r0, [sp, #COLUMN]
     str r6, [sp, #COLUMN]
