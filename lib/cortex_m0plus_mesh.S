@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * glint_mesh_colour(tables, triangle, target), as fused_mesh.c has it; a strip calls the routine in it by itself. Dark, matt and glossy
- * triangles have loops of their own; a glossy one's line that misses the highlight has a matt one's pixels. z, nl, t and the step of t stay in
- * registers from line to line, at the column behind the last pixel: they go a line down and some columns aside. The triangle is
- * written only where it goes on in the next strip. */
+ * triangles have loops of their own, and so have pixels of glossy ones in the highlight and past it. z, nl, t and the step of t stay in registers from
+ * line to line, at the column behind the last pixel: they go a line down and some columns aside. The triangle is written only where it
+ * goes on in the next strip. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
 #include "cortex_m0plus.inc"
@@ -130,33 +130,6 @@
     strh r5, [depth, pixel]
 .endm
 
-/* Pixels of a matt line, or of one that is as if it were. */
-.macro matt_pixels name
-\name\()_pixel:
-    in_front \name\()_behind
-    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
-    bmi \name\()_dark
-    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
-    ldrh r5, [colours, r5]
-    strh r5, [out, pixel]
-\name\()_behind:
-    add z, dz
-    add nl, dnl
-    adds pixel, #2
-    bne \name\()_pixel
-.endm
-
-.macro matt_dark name, then
-\name\()_dark:
-    ldr r6, [sp, #DARK]
-    strh r6, [out, pixel]
-    add z, dz
-    add nl, dnl
-    adds pixel, #2
-    bne \name\()_pixel
-    b \then
-.endm
-
 /* A dark or a matt triangle: r0, r5: the left edge and its step, r2, r6: the right one. */
 .macro plain name, constant, is_matt
     mov left, r0
@@ -196,14 +169,23 @@
     aside z, dz
     .if \is_matt
     aside nl, dnl
-    matt_pixels .L\name
+.L\name\()_pixel:
+    in_front 1f
+    asrs r5, nl, #GLINT_COLOUR_ROW_SHIFT
+    bmi .L\name\()_dark
+    lsls r5, r5, #GLINT_COLOUR_ROW_BYTES_LOG
+    ldrh r5, [colours, r5]
+    strh r5, [out, pixel]
+1:  add z, dz
+    add nl, dnl
     .else
-1:  in_front 2f
-    strh r3, [out, pixel]
-2:  add z, dz
-    adds pixel, #2
-    bne 1b
+.L\name\()_pixel:
+    in_front 1f
+    strh colours, [out, pixel]
+1:  add z, dz
     .endif
+    adds pixel, #2
+    bne .L\name\()_pixel
 .L\name\()_next:
     add r0, sp, #STEPS
     ldmia r0!, {r4-r7}
@@ -253,6 +235,16 @@
     b .Lgoes_on
 .L\name\()_hold:
     hold .L\name\()_held, .L\name\()_next
+    .if \is_matt
+.L\name\()_dark:
+    ldr r5, [sp, #DARK]
+    strh r5, [out, pixel]
+    add z, dz
+    add nl, dnl
+    adds pixel, #2
+    bne .L\name\()_pixel
+    b .L\name\()_next
+    .endif
 .endm
 
 /* The triangle in r0; sp: to the struct glint_mesh_lines. Registers are lost. */
@@ -286,7 +278,17 @@ colour_lines:
     ldr r1, [sp, #OUT_FIRST]
     adds r0, r0, r1
     mov outs, r0
-    ldr r6, [sp, #DEPTH_STEP]
+    adds r7, #GLINT_AT_TRIANGLE_LONG
+    mov r12, r7
+    adds r7, #8 /* the upper edge */
+    cmp r2, r3
+    blt 1f
+    adds r7, #8
+    movs r3, r5
+1:  cmp r3, r5
+    ble 1f
+    movs r3, r5
+1:  ldr r6, [sp, #DEPTH_STEP]
     ldr r1, [sp, #DEPTH_FIRST]
     muls r2, r6
     muls r3, r6
@@ -296,17 +298,8 @@ colour_lines:
     adds r3, r3, r1
     adds r5, r5, r1
     str r5, [sp, #TRIANGLE_LAST]
-    adds r7, #GLINT_AT_TRIANGLE_LONG
-    movs r1, r7
-    adds r7, #8 /* the upper edge */
-    cmp r2, r3
-    blo 1f
-    adds r7, #8
-    movs r3, r5
-1:  cmp r3, r5
-    blo 1f
-    movs r3, r5
-1:  str r3, [sp, #LAST]
+    str r3, [sp, #LAST]
+    mov r1, r12
     lsls r0, r4, #31 - 8
     bmi 1f
     ldmia r1!, {r2, r6}
@@ -327,7 +320,6 @@ colour_lines:
     plain dark, DARK, 0
 .Lmatt:
     plain matt, COLOURS, 1
-    matt_dark .Lmatt, .Lmatt_next
 
 /* r5, r6: the left and the right edge. */
 .Lgoes_on:
