@@ -39,7 +39,7 @@ function room(machine) {
   return frame >= end && frame < end + 16 ? frame + machine.size('frame_memory') : end
 }
 
-// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to. change: of the memory, what is other in each
+// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to, or a function of them. change: of the memory, what is other in each
 // program.
 function after(machine, name, args, bytes, fault, { before = [], unread = [], change = () => {} } = {}) {
   if (AT + bytes.length > room(machine)) throw new Error('mesh_memory is too small')
@@ -53,7 +53,10 @@ function after(machine, name, args, bytes, fault, { before = [], unread = [], ch
   }
   const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  for (const [from, to] of unread) machine.memory.fill(0, at + from, at + to)
+  for (const part of unread) {
+    const [from, to] = typeof part === 'function' ? part(machine, at) : part
+    machine.memory.fill(0, at + from, at + to)
+  }
   return `${RETURNS.test(name) ? value & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
@@ -224,7 +227,10 @@ function strips(outlined) {
     word(surface, AT + PICTURE + stride * y + odd, stride)
     y += height
   }
-  const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON]]
+  // Triangles that have ended, too: in the bench, and in their places.
+  const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON],
+    [FRAME_MEMORY + FIELD.BENCH_FACE, FRAME_MEMORY + FIELD.BENCH_FACE + FIELD.KEPT_FACE],
+    (machine, at) => [machine.memory.readUInt32LE(at + FIELD.FRAME_KEPT) - AT, PAINTS]]
   if (outlined) {
     // In the picture's middle, and as large as it.
     for (let k = 0; k < 3 * vertices; k++) bytes.writeInt16LE(bits(16), PLACES + 2 * k)
