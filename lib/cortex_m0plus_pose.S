@@ -13,10 +13,9 @@
 #define ACROSS 72
 #define DOWN 76
 #define PLACES 80
-#define NORMALS 84
-#define END 88
-#define ANY 92 /* is there one that is out? */
-#define FRAME 100
+#define END 84
+#define ANY 88 /* is there one that is out? */
+#define FRAME 92
 
 #define vertex r0
 #define first_down r8 /* a sum is shifted, multiplied by the scale, and shifted again */
@@ -24,7 +23,7 @@
 #define scale r10
 #define guard r11
 #define guards r12 /* twice */
-#define out lr
+#define normals lr
 
 /* r4: the next row of the turn, at r7, times r1-r3, scaled; half a unit or more of what is shifted out is the carry, so that adcs rounds to
  * nearest. */
@@ -62,9 +61,9 @@
     cmp r4, #0
     blt 1f
     lsls r5, r5, #1
-1:  mov r6, out
+1:  ldrh r6, [vertex, #6]
     orrs r6, r5
-    mov out, r6
+    strh r6, [vertex, #6]
     movs r5, #1
     str r5, [sp, #ANY]
     b \beyond\()_noted
@@ -93,8 +92,9 @@
     lsls r4, r4, #3
     ldr r2, [r1, #GLINT_AT_DRAWN_MESH]
     ldr r5, [r2, #GLINT_AT_MESH_PLACES]
+    stmia r7!, {r3-r5}
     ldr r6, [r2, #GLINT_AT_MESH_NORMALS8]
-    stmia r7!, {r3-r6}
+    mov normals, r6
     ldr vertex, [r1, #GLINT_AT_DRAWN_VERTICES]
     ldrh r3, [r2, #GLINT_AT_MESH_VERTEX_COUNT]
     lsls r3, r3, #4
@@ -120,7 +120,7 @@
 
 .Lvertices:
     movs r5, #0
-    mov out, r5
+    strh r5, [vertex, #6]
     ldr r6, [sp, #PLACES]
     ldrsh r1, [r6, r5]
     movs r5, #2
@@ -148,9 +148,7 @@
     bhi .Ldeep
 .Ldeep_held:
     strh r4, [vertex, #4]
-    mov r5, out
-    strh r5, [vertex, #6]
-    ldr r1, [sp, #NORMALS]
+    mov r1, normals
     movs r5, #0
     ldrsb r2, [r1, r5]
     movs r5, #1
@@ -158,7 +156,7 @@
     movs r5, #2
     ldrsb r4, [r1, r5]
     adds r1, #3
-    str r1, [sp, #NORMALS]
+    mov normals, r1
     ldr r5, =258
     muls r2, r5
     muls r3, r5

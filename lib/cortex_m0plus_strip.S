@@ -4,7 +4,7 @@
  * And what comes before it: glint_mesh_sort_faces, glint_mesh_clear. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
-#include "cortex_m0plus_mesh.inc"
+#include "cortex_m0plus.inc"
 
 #define NONE GLINT_MESH_NONE
 
@@ -24,8 +24,8 @@
 #define NEW_FACE (GLINT_MESH_LINES_BYTES + 44) /* the first of those not kept */
 #define KEPT_FACE (GLINT_MESH_LINES_BYTES + 48) /* and of those kept, and its place */
 #define KEPT_PLACE (GLINT_MESH_LINES_BYTES + 52)
-#define NOW (GLINT_MESH_LINES_BYTES + 56) /* the face in work */
-#define TRIANGLE_NOW (GLINT_MESH_LINES_BYTES + 60) /* its triangle, and the place of that */
+#define KEPT_BYTES (GLINT_MESH_LINES_BYTES + 56) /* of a place */
+#define TRIANGLE_NOW (GLINT_MESH_LINES_BYTES + 60) /* the triangle in work, and the place of that */
 #define PLACE (GLINT_MESH_LINES_BYTES + 64)
 #define KEEP (GLINT_MESH_LINES_BYTES + 68) /* lists, and their ends */
 #define LATER (GLINT_MESH_LINES_BYTES + 72)
@@ -37,8 +37,7 @@
 
 /* to: the triangle of place r4. */
 .macro place_at to, free
-    ldr \to, [sp, #FRAME_AT]
-    ldrh \to, [\to, #GLINT_AT_FRAME_KEPT_BYTES]
+    ldr \to, [sp, #KEPT_BYTES]
     muls \to, r4
     ldr \free, [sp, #KEPT_AT]
     adds \to, \to, \free
@@ -65,8 +64,7 @@
     blx r3
     ldr r1, [sp, #TRIANGLE_NOW]
     adds r1, #GLINT_AT_TRIANGLE_Y_END
-    ldrh r1, [r1]
-    sxth r1, r1
+    ldrh r1, [r1] /* above 0 */
     ldr r2, [sp, #END_OF_STRIP]
     cmp r1, r2
 .endm
@@ -86,6 +84,9 @@
     ldr r4, [r5, #GLINT_AT_DRAWN_MESH]
     ldr r4, [r4, #GLINT_AT_MESH_FACES]
     stmia r7!, {r3, r4}
+    ldr r3, [r6, #GLINT_AT_TARGET_FRAME]
+    ldrh r3, [r3, #GLINT_AT_FRAME_KEPT_BYTES]
+    str r3, [sp, #KEPT_BYTES]
     movs r0, r5
     bl glint_mesh_take
     str r0, [sp, #NEW_FACE]
@@ -141,7 +142,6 @@
     ldr r2, [sp, #LINKS_AT]
     ldrh r2, [r2, r3]
     str r2, [sp, #NEW_FACE]
-    str r1, [sp, #NOW]
     adds r3, r3, r1
     lsls r3, r3, #1
     ldr r2, [sp, #FACES_AT]
@@ -160,7 +160,7 @@
     strh r1, [r5]
     ldr r1, [sp, #DRAWN_AT]
     ldr r3, [sp, #T_END]
-    bl glint_mesh_face_set
+    bl glint_mesh_face_lines
     ldr r0, [sp, #TRIANGLE_NOW]
     movs r2, #GLINT_AT_TRIANGLE_Y
     ldrsh r2, [r0, r2]
@@ -228,7 +228,9 @@
     ldr r2, [sp, #Y_OF_STRIP]
     b .Lskipped
 .Llater:
-    ldr r1, [sp, #NOW]
+    ldr r1, [sp, #TRIANGLE_NOW]
+    adds r1, #GLINT_AT_KEPT_FACE
+    ldrh r1, [r1]
     lsls r2, r1, #1
     ldr r3, [sp, #LINKS_AT]
     adds r3, r3, r2

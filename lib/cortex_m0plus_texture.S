@@ -3,7 +3,7 @@
  * place that albedo comes from, matt or glossy, bytes swapped or not; and a triangle's lines, which a strip calls by itself. */
 #include "glint_port.h"
 #if GLINT_CORTEX_M0PLUS_ASM
-#define LINES_FRAME 132
+#define LINES_FRAME 132 /* and a return address */
 #include "cortex_m0plus_mesh.inc"
 #include "cortex_m0plus_numbers.inc"
 

@@ -18,6 +18,7 @@
 #define UY 28
 #define E 36     /* e - 18 */
 #define SIDES 40 /* rr, qq, pp; then B, C, A: P.Q, Q.Q, P.P of 15 bits */
+#define PLACES SIDES /* before: x, y of the vertices */
 #define TRIANGLE 52
 #define SHINE 56 /* flat and glossy: FLAT */
 #define CORNERS 60
@@ -25,7 +26,7 @@
 #define AREA 76
 #define LAY 80 /* below 0: slopes are laid behind the triangle */
 #define FACE 84 /* the corners of a face */
-#define FRAME 108 /* with r4-r7 and lr a multiple of 8 */
+#define FRAME 108 /* with lr a multiple of 8 */
 
 /* least: of t at three vertices; second and third are lost. */
 .macro least_t least, first, second, third
@@ -60,7 +61,10 @@
 .endm
 
     function glint_mesh_triangle_set
-    push {r4-r7, lr}
+    push {r3-r7, lr}
+    bl 1f
+    pop {r3-r7, pc}
+1:  push {lr}
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
     movs r0, #0
@@ -114,10 +118,14 @@
     strh r4, [r0]
     cmp r4, r7
     bge .Lnothing
-    movs r4, #0
-    ldrsh r1, [r1, r4]
-    ldrsh r2, [r2, r4]
-    ldrsh r3, [r3, r4]
+    ldr r1, [r1]
+    ldr r2, [r2]
+    ldr r3, [r3]
+    add r7, sp, #PLACES
+    stmia r7!, {r1-r3}
+    sxth r1, r1
+    sxth r2, r2
+    sxth r3, r3
     subs r4, r2, r1 /* x1 */
     subs r3, r1, r3 /* -x2 */
     movs r1, r6
@@ -135,20 +143,20 @@
     movs r4, #1
 1:  strb r4, [r0, #GLINT_AT_TRIANGLE_LONG_IS_LEFT - GLINT_AT_TRIANGLE_Y]
     subs r0, #GLINT_AT_TRIANGLE_Y - GLINT_AT_TRIANGLE_LONG
-    ldr r1, [sp, #VERTICES]
-    ldr r2, [sp, #VERTICES + 8]
+    ldr r1, [sp, #PLACES]
+    ldr r2, [sp, #PLACES + 8]
     bl triangle_edge
-    ldr r1, [sp, #VERTICES]
-    ldr r2, [sp, #VERTICES + 4]
+    ldr r1, [sp, #PLACES]
+    ldr r2, [sp, #PLACES + 4]
     bl triangle_edge
-    ldr r1, [sp, #VERTICES + 4]
-    ldr r2, [sp, #VERTICES + 8]
+    ldr r1, [sp, #PLACES + 4]
+    ldr r2, [sp, #PLACES + 8]
     bl triangle_edge
     bl glint_mesh_triangle_values /* does not return here */
 .Lnothing:
     movs r0, #0
     add sp, #FRAME
-    pop {r4-r7, pc}
+    pop {pc}
 
 /* r3-r5: a face's normals of 8 bits from r1 on; r2: the face. The differences' squares: r2, r6, r1. */
 .macro normal to, at
@@ -173,7 +181,12 @@
 
 /* glint_mesh_face_set(triangle, drawn, face, t_end), as mesh_strip.c has it; t_end + 2^31: slopes are laid, too. Sides between normals of 8 bits as glint_mesh_sides8 has them. */
     entry glint_mesh_face_set
-    push {r4-r7, lr}
+    push {r3-r7, lr}
+    bl glint_mesh_face_lines
+    pop {r3-r7, pc}
+
+    entry glint_mesh_face_lines /* the same; r4-r7 are lost */
+    push {lr}
     sub sp, #FRAME
     str r0, [sp, #TRIANGLE]
     str r3, [sp, #LAY]
@@ -245,14 +258,12 @@
     add r1, sp, #FACE
     b .Lcorners
 
-/* An edge from vertex r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
+/* An edge from place r1 down to r2 to where r0 points, which moves on by it; r1-r7 and r12 are lost. */
     .section .text.triangle_edge, "ax", %progbits
     .type triangle_edge, %function
     .balign 4
     .thumb_func
 triangle_edge:
-    ldr r1, [r1] /* x, y */
-    ldr r2, [r2]
     asrs r4, r1, #16
     asrs r5, r2, #16
     first r6, r4
@@ -266,28 +277,54 @@ triangle_edge:
     lsls r6, r6, #4
     adds r6, #8
     subs r6, r6, r4 /* from the corner to the line's middle */
-    movs r3, #14    /* 31 - zeros(dy) */
-    lsls r5, r5, #17
-    up_by_15 r5, r3, r4
-    mov r12, r3
-    inverse_of r5, r4, r7, r3
+    lsrs r4, r5, #8
+    bne .Lhigh
+    movs r3, #7     /* 31 - zeros(dy) */
+    lsls r5, r5, #24
+    up_by 4, r5, r3, r4
+    up_by 2, r5, r3, r4
+    up_by 1, r5, r3, r4
+    lsrs r5, r5, #23
+    ldr r4, =triangle_inverses - 256
+    ldrh r5, [r4, r5]
+    adds r5, #1
+.Lstep:
     muls r2, r5
-    mov r3, r12
     asrs r2, r3 /* the step */
     asrs r3, r2, #4
     muls r3, r6
+    adds r1, #8
     lsls r1, r1, #12
-    adds r1, r1, r3
-    ldr r3, =65535 - 32768
+    subs r1, #1 /* 65535 - 32768 more */
     adds r1, r1, r3
     stmia r0!, {r1, r2}
     bx lr
+.Lhigh:
+    movs r3, #14
+    lsls r5, r5, #17
+    up_by 4, r5, r3, r4
+    up_by 2, r5, r3, r4
+    up_by 1, r5, r3, r4
+    mov r12, r3
+    inverse_of r5, r4, r7, r3
+    mov r3, r12
+    b .Lstep
 .Lno_line:
     movs r1, #0
     movs r2, #0
     stmia r0!, {r1, r2}
     bx lr
     .ltorg
+
+/* glint_mesh_inverse, less 1, of what has 8 bits. */
+    .section .rodata.triangle_inverses, "a", %progbits
+    .balign 2
+triangle_inverses:
+    .set height, 128
+    .rept 128
+    .short ((1 << 23) + height / 2) / height - 1
+    .set height, height + 1
+    .endr
 
 /* ---- values ----
  * The end of glint_mesh_triangle_set, whose frame it takes over: glint_mesh_values_set, as mesh_triangle.c has it: slopes, the depth, nl, and t
@@ -336,7 +373,35 @@ triangle_edge:
     ldr r3, [sp, #SHINE]
     cmp r3, #GLINT_SHINE_MATT
     bls .Lshine_known
-    b .Lmay_shine
+    /* Matt if t, which is lower between the corners by two thirds of a side at most, stays beyond t_end. */
+    add r7, sp, #CORNERS
+    ldmia r7!, {r4-r6}
+    ldr r0, [r4, #4]
+    ldr r1, [r5, #4]
+    ldr r2, [r6, #4]
+    add r7, sp, #SIDES
+    stmia r7!, {r0-r2}
+    cmp r0, r1
+    bhs 1f
+    movs r0, r1
+1:  cmp r0, r2
+    bhs 1f
+    movs r0, r2
+1:  movs r1, #1
+    lsls r1, r1, #29
+    cmp r0, r1
+    bls 1f
+    movs r3, #FLAT
+    str r3, [sp, #SHINE]
+    b .Lshine_known
+1:  ldr r1, [sp, #BEYOND]
+    lsrs r2, r0, #GLINT_MESH_MARGIN_LOG
+    subs r2, r1, r2
+    str r2, [sp, #BEYOND] /* and by a margin, for .Lt */
+    cmp r1, r0
+    bls .Lshine_known
+    movs r3, #GLINT_SHINE_MATT
+    str r3, [sp, #SHINE]
 .Lshine_known:
     ldr r2, [sp, #AREA]
     /* The inverse of the area, and its sign. */
@@ -477,7 +542,7 @@ triangle_edge:
 .Lreturn:
     movs r0, #1
     add sp, #FRAME
-    pop {r4-r7, pc}
+    pop {pc}
 
 .Llay: /* what glint_mesh_albedo_draw makes u and v of */
     movs r1, #GLINT_MESH_SLOPED
@@ -545,36 +610,50 @@ triangle_edge:
     b .Lt_stays
     .ltorg
 
-.Lmay_shine: /* Matt if t, which is lower between the corners by a side at most, stays beyond t_end. */
-    add r7, sp, #CORNERS
-    ldmia r7!, {r4-r6}
-    ldr r0, [r4, #4]
-    ldr r1, [r5, #4]
-    ldr r2, [r6, #4]
-    add r7, sp, #SIDES
-    stmia r7!, {r0-r2}
-    cmp r0, r1
-    bhs 1f
-    movs r0, r1
-1:  cmp r0, r2
-    bhs 1f
-    movs r0, r2
-1:  movs r1, #1
-    lsls r1, r1, #29
-    cmp r0, r1
-    bhi .Lwide
-    ldr r1, [sp, #BEYOND]
-    cmp r1, r0
-    bls 1f
-    movs r3, #GLINT_SHINE_MATT
-    str r3, [sp, #SHINE]
-1:  b .Lshine_known
-.Lwide:
-    movs r3, #FLAT
-    str r3, [sp, #SHINE]
-    b .Lshine_known
-
-.Lt:
+.Lt: /* It is matt, too, where mesh_triangle.c's t_stays_beyond says so. */
+    ldr r7, [sp, #BEYOND]
+    cmp r7, #0
+    ble .Lt_set
+    ldr r6, [sp, #E]
+    adds r6, #18 - GLINT_MESH_GENTLE
+    bmi .Lt_set
+    mov r6, sp
+    ldmia r6!, {r3-r5}
+    ldr r3, [r3, #T_OF]
+    ldr r4, [r4, #T_OF]
+    ldr r5, [r5, #T_OF]
+    add r6, sp, #SIDES
+    ldmia r6!, {r0-r2}
+    /* r6: the least t; r4, r5: the others; r2, r1: the sides to these. */
+    cmp r3, r4
+    bhi 2f
+    movs r6, r3
+    cmp r3, r5
+    bls 3f
+1:  movs r6, r5
+    movs r5, r3
+    movs r2, r0
+    b 3f
+2:  cmp r4, r5
+    bhi 1b
+    movs r6, r4
+    movs r4, r3
+    movs r1, r0
+3:  subs r6, r6, r7
+    lsls r2, r2, #1
+    subs r4, r4, r2
+    subs r4, r4, r6
+    cmp r4, #0
+    ble .Lt_set
+    lsls r1, r1, #1
+    subs r5, r5, r1
+    subs r5, r5, r6
+    cmp r5, #0
+    ble .Lt_set
+    ldr r7, [sp, #TRIANGLE]
+    movs r0, #GLINT_SHINE_MATT
+    b .Lfar
+.Lt_set:
     mov r7, sp
     ldmia r7!, {r0-r2}
     ldr r0, [r0, #T_OF]

@@ -400,6 +400,9 @@ void glint_mesh_colour_set(const struct glint_tables *tables, const struct glint
 {
     const struct glint_look look = glint_look_up(tables);
     glint_mesh_lines_set(target, lines);
+    lines->off_first += lines->line_first; /* pixels by themselves */
+    lines->off_step += lines->line_step;
+    lines->off = (uint32_t)lines->w; /* beside what is read with it */
     lines->colours = look.colours;
     lines->dark = look.dark;
     lines->shift = look.shift;

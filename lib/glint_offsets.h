@@ -141,6 +141,8 @@
 
 #define GLINT_SHINE_DARK 0
 #define GLINT_SHINE_MATT 1
+#define GLINT_MESH_GENTLE 15    /* slopes' e from which on it is asked whether t stays beyond its plane at a corner, */
+#define GLINT_MESH_MARGIN_LOG 3 /* by so much of the greatest side */
 
 /* Where the assembly finds fields of glint_line_loop, in bytes, and numbers that it shares with C; offsets.c
  * compares them with the compiler's. Macros only: assembly includes it. */

@@ -117,6 +117,35 @@ static inline struct linear values_linear(const struct glint_mesh_slopes *s, int
     return linear;
 }
 
+/* Is t at a corner beyond t_end by the square of its side, Q30? */
+static inline bool t_is_beyond(const struct glint_mesh_corner *corner, uint32_t side, uint32_t t_end)
+{
+    return (int32_t)(corner->v->t_q30 - 2 * side - t_end) > 0;
+}
+
+/* Is t beyond t_end all over? It dips between corners by two thirds of the greatest side at most. And as it is a square, it is nowhere below the plane
+ * that touches it at the corner where it is least, and that plane is at the others below t by the squares of the sides to them: where u and v
+ * change so little that an eighth of a side is far more than what t may be off by. */
+static bool t_stays_beyond(const struct glint_mesh_corner *const corner[3], int e, uint32_t t_end)
+{
+    const uint32_t t0 = corner[0]->v->t_q30, t1 = corner[1]->v->t_q30, t2 = corner[2]->v->t_q30;
+    const uint32_t pp = corner[2]->side, qq = corner[1]->side, rr = corner[0]->side;
+    const uint32_t beyond = gradient_beyond(corner[0]->v, corner[1]->v, corner[2]->v, t_end);
+    uint32_t most = pp > qq ? pp : qq;
+    most = most > rr ? most : rr;
+    if (beyond > most)
+        return true;
+    most >>= GLINT_MESH_MARGIN_LOG;
+    if ((int32_t)(beyond - most) <= 0 || e < GLINT_MESH_GENTLE)
+        return false;
+    t_end += most;
+    if (t0 <= t1 && t0 <= t2)
+        return t_is_beyond(corner[1], pp, t_end) && t_is_beyond(corner[2], qq, t_end);
+    if (t1 <= t2)
+        return t_is_beyond(corner[0], pp, t_end) && t_is_beyond(corner[2], rr, t_end);
+    return t_is_beyond(corner[0], qq, t_end) && t_is_beyond(corner[1], rr, t_end);
+}
+
 enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
                                             const struct glint_mesh_corner *const corner[3], int32_t area,
                                             enum glint_mesh_shine shine, uint32_t t_end)
@@ -129,13 +158,13 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
     uint32_t pp = 0, qq = 0, rr = 0;
     values->x = a->x >> 4;
     if (shine == GLINT_MESH_GLOSSY) {
-        const uint32_t square = (uint32_t)1 << 29, beyond = gradient_beyond(a, b, c, t_end); /* 90 degrees */
+        const uint32_t square = (uint32_t)1 << 29; /* 90 degrees */
         pp = corner[2]->side;
         qq = corner[1]->side;
         rr = corner[0]->side;
         if (pp > square || qq > square || rr > square) /* would overflow */
             is_flat = true;
-        else if (beyond > pp && beyond > qq && beyond > rr)
+        else if (t_stays_beyond(corner, s.e, t_end))
             shine = GLINT_MESH_MATT;
     }
     values->tx = values->ty = values->txx = values->txy = values->tyy = 0;

@@ -39,7 +39,7 @@ function room(machine) {
   return frame >= end && frame < end + 16 ? frame + machine.size('frame_memory') : end
 }
 
-// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to. change: of the memory, what is other in each
+// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to, or a function of them. change: of the memory, what is other in each
 // program.
 function after(machine, name, args, bytes, fault, { before = [], unread = [], change = () => {} } = {}) {
   if (AT + bytes.length > room(machine)) throw new Error('mesh_memory is too small')
@@ -53,7 +53,10 @@ function after(machine, name, args, bytes, fault, { before = [], unread = [], ch
   }
   const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  for (const [from, to] of unread) machine.memory.fill(0, at + from, at + to)
+  for (const part of unread) {
+    const [from, to] = typeof part === 'function' ? part(machine, at) : part
+    machine.memory.fill(0, at + from, at + to)
+  }
   return `${RETURNS.test(name) ? value & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
@@ -139,6 +142,7 @@ function lists() {
 // sizes, since it is by these that a line is known to miss the highlight; and steps by which t wraps between the ends of a line that are past
 // t_max. Pixels are aligned, as these lines need them.
 const SURFACE = 0x20, TARGET = 0x30, TRIANGLE = 0x60, DEPTH = 0x100, OUT = 0x400, COLUMNS = 0x800, COLOURS = 0x1800, COLOURS_END = 0x5800
+const UPPER = TRIANGLE + FIELD.TRIANGLE_LONG + 8
 const tables = Uint8Array.from({ length: COLOURS_END - COLUMNS }, (_, i) => below(256) & (i < COLOURS - COLUMNS ? 0x7e : 0xff))
 function colours() {
   const bytes = Buffer.alloc(COLOURS_END), word = (at, ...values) => values.forEach((value, k) => bytes.writeInt32LE(value | 0, at + 4 * k))
@@ -167,7 +171,9 @@ function colours() {
   lines.forEach((line, k) => bytes.writeUInt16LE(y + line, TRIANGLE + FIELD.TRIANGLE_Y + 2 * k))
   bytes.writeUInt8(shine, TRIANGLE + FIELD.TRIANGLE_SHINE)
   bytes.writeUInt8(wraps ? 0 : below(2), TRIANGLE + FIELD.TRIANGLE_LONG_IS_LEFT)
-  return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3]
+  // A triangle is read again where it goes on in the next strip, its upper edge where that does.
+  const goesOn = lines[2] > 8, unread = goesOn && lines[1] >= 8 ? [] : [goesOn ? [UPPER, UPPER + 4] : [TRIANGLE, TRIANGLE + FIELD.TRIANGLE_SHINE]]
+  return [bytes, [AT, AT + TRIANGLE, AT + TARGET], TRIANGLE + 3, { unread }]
 }
 
 // What mesh_begin paints with: by tables and exactly, and by tables of a smaller highlight and other dark pixels. Of each program its own,
@@ -221,7 +227,10 @@ function strips(outlined) {
     word(surface, AT + PICTURE + stride * y + odd, stride)
     y += height
   }
-  const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON]]
+  // Triangles that have ended, too: in the bench, and in their places.
+  const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON],
+    [FRAME_MEMORY + FIELD.BENCH_FACE, FRAME_MEMORY + FIELD.BENCH_FACE + FIELD.KEPT_FACE],
+    (machine, at) => [machine.memory.readUInt32LE(at + FIELD.FRAME_KEPT) - AT, PAINTS]]
   if (outlined) {
     // In the picture's middle, and as large as it.
     for (let k = 0; k < 3 * vertices; k++) bytes.writeInt16LE(bits(16), PLACES + 2 * k)

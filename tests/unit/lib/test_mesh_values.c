@@ -97,7 +97,24 @@ static void nl_and_depth_of_a_triangle_are_the_sequence_s(void **state)
     assert_true(steep > 100 && slivers > 1000);
 }
 
-/* Where every corner's t is beyond t_end by more than each side, t cannot dip as low between them. */
+/* `shine` of sequence.md, of a triangle that is not far beyond. */
+static bool is_matt(const struct glint_mesh_corner c[3], uint32_t t_end)
+{
+    const struct glint_mesh_vertex *const v[3] = {c[0].v, c[1].v, c[2].v};
+    int64_t side = 0;
+    unsigned m = 0;
+    for (unsigned i = 0; i < 3; i++) {
+        m = v[i]->t_q30 < v[m]->t_q30 ? i : m;
+        side = c[i].side > side ? c[i].side : side;
+    }
+    if ((int64_t)v[m]->t_q30 - t_end > side)
+        return true;
+    for (unsigned i = 0; i < 3; i++)
+        if ((int64_t)v[i]->t_q30 - (i == m ? 0 : 2 * (int64_t)c[3 - i - m].side) - t_end <= side >> 3)
+            return false;
+    return slopes_of(v).e >= 15;
+}
+
 static void t_of_a_triangle_is_2_where_nothing_of_it_can_shine(void **state)
 {
     (void)state;
@@ -107,17 +124,14 @@ static void t_of_a_triangle_is_2_where_nothing_of_it_can_shine(void **state)
         struct glint_mesh_vertex vertex[3];
         struct glint_mesh_corner corner[3];
         const uint32_t t_end = below(1 << 20);
-        uint32_t least = UINT32_MAX, side = 0;
         for (int i = 0; i < 3; i++) {
             vertex[i] = at[i];
             vertex[i].t_q30 = below(1 << 22);
             corner[i] = (struct glint_mesh_corner){&vertex[i], below(1 << 21)};
-            least = vertex[i].t_q30 < least ? vertex[i].t_q30 : least;
-            side = corner[i].side > side ? corner[i].side : side;
         }
         struct glint_mesh_triangle triangle;
         assert_true(glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, t_end));
-        if (least > t_end && least - t_end > side) {
+        if (is_matt(corner, t_end)) {
             assert_true(triangle.values.t == UINT32_C(1) << 31 && triangle.values.tx == 0 && triangle.values.ty == 0);
             matt++;
         } else {
@@ -126,6 +140,53 @@ static void t_of_a_triangle_is_2_where_nothing_of_it_can_shine(void **state)
         }
     }
     assert_true(matt > 1000 && glossy > 1000);
+}
+
+/* Drawn as a glossy one, it would look the same. */
+static void no_pixel_of_a_matt_triangle_lies_in_the_highlight(void **state)
+{
+    (void)state;
+    unsigned matt = 0, pixels = 0;
+    for (int round = 0; round < 60000; round++) {
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_mesh_vertex vertex[3];
+        struct glint_mesh_corner corner[3];
+        struct glint_vec n[3];
+        const struct glint_vec first = random_normal(&look);
+        const uint32_t size = round & 1 ? 400 : 3000, far = 1000 << below(6);
+        uint32_t least = UINT32_MAX;
+        for (int i = 0; i < 3; i++) {
+            const double x = first.x + (double)below(2 * far) - far, y = first.y + (double)below(2 * far) - far,
+                         z = first.z + (double)below(2 * far) - far, length = sqrt(x * x + y * y + z * z) / 32767;
+            n[i] = (struct glint_vec){(int16_t)(x / length), (int16_t)(y / length), (int16_t)(z / length)};
+            const int64_t dx = n[i].x - look.h.x, dy = n[i].y - look.h.y, dz = n[i].z - look.h.z;
+            vertex[i] = (struct glint_mesh_vertex){
+                (int16_t)below(size), (int16_t)below(size), 5, 0, (uint32_t)((dx * dx + dy * dy + dz * dz) >> 1), 1};
+            least = vertex[i].t_q30 < least ? vertex[i].t_q30 : least;
+        }
+        for (int i = 0; i < 3; i++)
+            corner[i] = (struct glint_mesh_corner){&vertex[i], glint_mesh_side(&n[(i + 1) % 3], &n[(i + 2) % 3])};
+        const uint32_t t_end = least - below(least >> below(12));
+        struct glint_mesh_triangle triangle;
+        if (!glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, t_end) || triangle.shine != GLINT_MESH_MATT)
+            continue;
+        assert_true(glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX));
+        assert_int_equal(triangle.shine, GLINT_MESH_GLOSSY);
+        matt++;
+        for (; triangle.y < triangle.y_end; triangle.y++) {
+            const struct glint_mesh_part part = glint_mesh_triangle_part(&triangle, triangle.y_end);
+            const struct glint_mesh_values *v = &triangle.values;
+            for (int32_t x = part.left->x >> 16; x < part.right->x >> 16; x++, pixels++) {
+                const int32_t k = x - v->x;
+                const uint32_t t = v->t + (uint32_t)k * v->tx + (uint32_t)(k * (k - 1) / 2) * v->txx;
+                assert_true(t >= t_end);
+            }
+            glint_mesh_edge_next(part.left);
+            glint_mesh_edge_next(part.right);
+            glint_mesh_values_next(&triangle.values);
+        }
+    }
+    assert_true(matt > 1000 && pixels > 100000);
 }
 
 static void a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_behind(void **state)
@@ -333,6 +394,7 @@ int main(void)
         cmocka_unit_test(a_height_s_inverse_is_the_quotient_below_512_pixels),
         cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
         cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
+        cmocka_unit_test(no_pixel_of_a_matt_triangle_lies_in_the_highlight),
         cmocka_unit_test(a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_behind),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
