@@ -3,6 +3,8 @@
 #include "grained.h"
 #include "meshes.h"
 
+#include "glint_grain.h"
+
 static struct made_mesh ball;
 
 static void make_ball(void)
@@ -69,6 +71,39 @@ static void the_axis_turns_with_the_mesh(void **state)
     }
 }
 
+/* The axis turned, to nearest, for a turn that does nothing. */
+static void row_of_turned(const struct glint_paint *paint, const struct glint_run *run, const int16_t axis[3],
+                          int16_t turn[3][3], const struct glint_vec *normals, struct glint_sample *samples,
+                          unsigned count)
+{
+    static int16_t none[3][3] = {{16384, 0, 0}, {0, 16384, 0}, {0, 0, 16384}};
+    int16_t turned[3];
+    for (int k = 0; k < 3; k++) {
+        const double sum = (double)turn[k][0] * axis[0] + (double)turn[k][1] * axis[1] + (double)turn[k][2] * axis[2];
+        turned[k] = (int16_t)fmax(fmin(floor(sum / 16384 + .5), 32767), -32767);
+    }
+    glint_use_mesh_grain.row(paint, run, turned, none, normals, samples, count);
+}
+
+static void the_axis_is_turned_to_nearest(void **state)
+{
+    (void)state;
+    static const struct glint_use_axis turned = {row_of_turned};
+    static uint8_t drawn[2][3 * MESH_W * MESH_H];
+    for (int i = 0; i < 20; i++) {
+        const struct look look = metal((enum glint_model)grained[i % GRAINED], 900, 8);
+        make_ball();
+        for (int k = 0; k < 4; k++)
+            ball.pose.turn[k] = (int16_t)(below(65535) - 32767);
+        for (int k = 0; k < 3; k++)
+            ball.mesh.grain[k] = (int16_t)(below(40001) - 20000);
+        draw_ball(&look, drawn[0], MESH_H, false);
+        ball.mesh.use_grain = &turned;
+        draw_ball(&look, drawn[1], MESH_H, false);
+        assert_memory_equal(drawn[0], drawn[1], sizeof *drawn);
+    }
+}
+
 static enum glint_err added(const struct glint_mesh *mesh, const struct glint_paint *paint, size_t more)
 {
     static _Alignas(8) uint8_t memory[8192 + GLINT_MESH_LIGHTS_BYTES];
@@ -105,6 +140,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign),
         cmocka_unit_test(the_axis_turns_with_the_mesh),
+        cmocka_unit_test(the_axis_is_turned_to_nearest),
         cmocka_unit_test(a_mesh_takes_grain_along_its_axis_under_one_directional_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
