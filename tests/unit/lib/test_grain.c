@@ -276,6 +276,7 @@ static void codes_of_shininess_rise_from_1_to_997_and_come_back(void **state)
     (void)state;
     assert_int_equal(glint_shininess_n(0), 1);
     assert_int_equal(glint_shininess_n(255), 997);
+    assert_int_equal(glint_shininess_n(224), 432); /* the one that is nearest to a half */
     for (unsigned code = 0; code < 256; code++) {
         const uint32_t n = glint_shininess_n((uint8_t)code);
         const double meant = exp2(code * 5 / 128.);
