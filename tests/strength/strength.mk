@@ -60,7 +60,7 @@ strength-objects: $(HOST_ARCHIVES) $(STRENGTH_JUDGES:%=$(BUILD)/%.o)
 mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice; MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names; JOBS=2: at once
 	@+$(CHECK_MAKE) strength-objects
 	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -fPIC" TRAPS="$(STRENGTH_TRAPS)" COUNTERS="-O1 -g --coverage" JOBS="$(JOBS)" \
-		LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
+		JUDGE="$(CC) $(filter-out -W%,$(HOST_CFLAGS)) -Itests/unit -O0" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
 		tests/strength/mutants build/mutants build/check $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
 # SECONDS of each sink; memory and descriptors, then and now.
