@@ -124,11 +124,6 @@ static inline unsigned glint_mesh_corner_after(unsigned corner)
     return corner == 2 ? 0 : corner + 1;
 }
 
-static inline uint32_t glint_mesh_bands(uint16_t h)
-{
-    return (h + GLINT_MESH_BAND - 1u) / GLINT_MESH_BAND;
-}
-
 /* Marks the mesh's faces, and sorts it. */
 void glint_mesh_edges_add(const struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn);
 /* Sorts faces with outlines as glint_mesh_sort does all. */

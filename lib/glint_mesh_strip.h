@@ -68,6 +68,12 @@ static inline unsigned glint_mesh_face_of(const struct glint_mesh_triangle *tria
     return ((const struct glint_mesh_kept *)(const void *)triangle)->face;
 }
 
+/* Of a picture; its last may be of fewer lines. */
+static inline uint32_t glint_mesh_bands(uint16_t h)
+{
+    return (h + GLINT_MESH_BAND - 1u) / GLINT_MESH_BAND;
+}
+
 /* Bytes of depths; what follows is aligned. */
 static inline uint32_t glint_mesh_depth_bytes(uint16_t w, uint16_t lines)
 {

@@ -111,12 +111,13 @@ static int32_t place_cosine(const struct glint_light *light, const int32_t l_q30
     return -(int32_t)(upper + (uint32_t)(middle >> 13));
 }
 
-/* The smooth step from the outer cone to the inner, Q16.16, for a cosine from low to high, which differ or are exact. */
-static uint32_t place_cone(const struct glint_reach *reach, const struct glint_light *light, int32_t low, int32_t high)
+/* att by the smooth step from the outer cone to the inner, for a cosine from low to high, which differ or are exact. */
+static uint32_t place_cone(const struct glint_reach *reach, const struct glint_light *light, uint32_t att, int32_t low,
+                           int32_t high)
 {
     const int32_t inner = light->cos_inner_q30, outer = light->cos_outer_q30;
     if (low >= inner)
-        return 65536;
+        return att;
     if (high <= outer)
         return 0;
     if (low <= outer || high >= inner)
@@ -132,13 +133,8 @@ static uint32_t place_cone(const struct glint_reach *reach, const struct glint_l
             return GLINT_REACH_OPEN;
         part >>= 15;
     }
-    return (uint32_t)(glint_multiply(part * part, 196608 - 2 * part) >> 32);
-}
-
-/* att for a spot; only 65536^2 does not fit. */
-static uint32_t place_scale(uint32_t att, uint32_t cone)
-{
-    return cone >> 16 ? att : att >> 16 ? cone : (att * cone + 32768) >> 16;
+    const uint32_t cone = (uint32_t)(glint_multiply(part * part, 196608 - 2 * part) >> 32); /* < 65536 */
+    return (att * cone + 32768) >> 16;                                                      /* att <= 65536 */
 }
 
 /* H of l, which is overwritten; false where it is open. */
@@ -171,12 +167,9 @@ static uint32_t place_near(const struct glint_reach *reach, const struct glint_l
         if (!reach->blur)
             return GLINT_REACH_OPEN;
         const int32_t c = place_cosine(light, unit.unit_q30);
-        const uint32_t cone = place_cone(reach, light, c - PLACE_COSINE_HIGH, c + PLACE_COSINE_LOW);
-        if (cone == GLINT_REACH_OPEN)
-            return cone;
-        att = place_scale(att, cone);
-        if (att == 0)
-            return 0;
+        att = place_cone(reach, light, att, c - PLACE_COSINE_HIGH, c + PLACE_COSINE_LOW);
+        if (att == 0 || att == GLINT_REACH_OPEN)
+            return att;
     }
     if (!glint_vec_near(&view->l, unit.unit_q30, GLINT_UNIT_SLACK))
         return GLINT_REACH_OPEN;
@@ -202,7 +195,7 @@ static uint32_t place_exact(const struct glint_light *light, const struct glint_
         sum >>= 30;
         /* beyond +-1 as far as the cones go */
         const int32_t c = sum > INT32_MAX ? INT32_MAX : sum < INT32_MIN ? INT32_MIN : (int32_t)sum;
-        att = place_scale(att, place_cone(NULL, light, c, c));
+        att = place_cone(NULL, light, att, c, c);
     }
     (void)glint_vec_of_q30(&view->l, l, 0);
     if (att == 0 || !glint_half_q30(l, l, sight->v_q30) || !glint_unit_q30(l, l))

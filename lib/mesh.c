@@ -88,17 +88,12 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
     return GLINT_OK;
 }
 
-static uint32_t frame_bands(uint16_t h)
-{
-    return (h + GLINT_MESH_BAND - 1u) / GLINT_MESH_BAND;
-}
-
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h)
 {
     if (!mesh)
         return 0;
     return mesh_size((uint32_t)mesh->vertex_count * (uint32_t)sizeof(struct glint_mesh_vertex) +
-                     2 * ((uint32_t)mesh->face_count + frame_bands(h)) + glint_mesh_edges_bytes(mesh, h));
+                     2 * ((uint32_t)mesh->face_count + glint_mesh_bands(h)) + glint_mesh_edges_bytes(mesh, h));
 }
 
 static __attribute__((noinline)) bool mesh_is_same(const struct glint_vec *a, const struct glint_vec *b)

@@ -269,7 +269,7 @@ static int32_t clip_inside(const struct glint_mesh_frame *frame, unsigned plane,
 }
 
 /* From one list to the other. A convex polygon gains one corner at most; where rounding made it something
- * else, what exceeds the place for it is left out. */
+ * else, what exceeds the place for it is left out. None or 3 at least remain: one inside and two crossings. */
 static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, const struct glint_mesh_frame *frame,
                            unsigned plane, bool in_space)
 {
@@ -286,7 +286,7 @@ static unsigned clip_plane(struct glint_mesh_polygon *polygon, unsigned count, c
                                     : clip_crossing(b, a, b_in, b_in - a_in, in_space);
     }
     polygon->now = (uint8_t)(1 - polygon->now);
-    return found < 3 ? 0 : found;
+    return found;
 }
 
 unsigned glint_mesh_clip(struct glint_mesh_polygon *polygon, const struct glint_mesh_frame *frame,

@@ -425,8 +425,7 @@ void glint_mesh_sort_faces(const struct glint_mesh_frame *frame, const struct gl
 
 void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y)
 {
-    const unsigned bands = (frame->h + GLINT_MESH_BAND - 1) / GLINT_MESH_BAND;
-    for (unsigned i = 0; i < bands; i++)
+    for (uint32_t i = 0; i < glint_mesh_bands(frame->h); i++)
         drawn->bands[i] = GLINT_MESH_NONE;
     glint_mesh_sort_faces(frame, drawn, y);
 }

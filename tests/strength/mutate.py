@@ -11,6 +11,8 @@ ASSIGNED = {"+=": ["-=", "="], "-=": ["+=", "="], "*=": ["+="], "|=": ["&=", "="
 OPERATOR = re.compile(r"(?<= )(<<=|>>=|[-+*|&^]=|<=|>=|==|!=|&&|\|\||<<|>>|[-+*/%&|^<>])(?= |$)")
 NUMBER = re.compile(r"(?<![\w.\"'])(0x[0-9a-fA-F]+|\d+)([uU]?[lL]*)(?![\w.\"'])")
 DROPPED = re.compile(r"^(\s+)((?:[\w\[\]().>*-]+(?:\[[^;=]*\])*\s(?:[-+*/|&^]|<<|>>)?=\s[^;{]*|\w+\([^;{]*\)|[\w>.\[\]-]+(?:\+\+|--)));$")
+NAME = re.compile(r"\w*$")
+DECLARES = re.compile(r"\s+(?:static |const )*(?:(?:struct|union|enum) \w+|u?int\d+_t|unsigned|int|char|bool|size_t|float|double) ")
 CONDITION = re.compile(r"\b(?:if|while) \((.*)\)( \{)?$")
 
 
@@ -25,16 +27,30 @@ def blank(text):
     return re.sub(r"^(?:extern|typedef)\b[^;]*;", spaces, text, flags=re.M)
 
 
+def array_sizes(line):
+    """Where the sizes of arrays stand that the line declares, in a function or a struct; of arrays of arrays the outer ones."""
+    declares, depth, is_value = DECLARES.match(line), 0, False
+    for place in range(declares.end() if declares else len(line), len(line)):
+        depth += (line[place] in "{(") - (line[place] in "})")
+        if depth == 0:
+            is_value = line[place] != "," and (is_value or line[place] == "=")
+            if line[place] == "[" and line[place - 1] != "]" and not is_value:
+                yield place + 1
+
+
 def mutants(text):
     """Each as (line number from 1, column, what stood there, what stands there now)."""
-    for number, line in enumerate(blank(text).split("\n"), 1):
+    text = blank(text)
+    for number, line in enumerate(text.split("\n"), 1):
         for match in OPERATOR.finditer(line):
             operator = match.group(1)
             for other in [*RELATIONS.get(operator, []), *ARITHMETIC.get(operator, []), *ASSIGNED.get(operator, [])]:
                 yield number, match.start(), operator, other
+        # Nothing but sizeof can tell an array that is larger.
+        sizes = {place for place in array_sizes(line) if f"sizeof {re.search(NAME, line[:place - 1]).group(0)}" not in text}
         for match in NUMBER.finditer(line):
             value, suffix = int(match.group(1), 0), match.group(2)
-            for other in sorted({value + 1, max(value - 1, 0), 0} - {value}):
+            for other in sorted({value + (match.start() not in sizes), max(value - 1, 0), 0} - {value}):
                 yield number, match.start(), match.group(0), f"{other}{suffix}"
         match = DROPPED.match(line)
         if match and not match.group(2).startswith("return"):

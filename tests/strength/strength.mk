@@ -3,9 +3,8 @@
 STRENGTH_PACKAGES = gcovr
 STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-update=atomic -Dalways_inline=unused' \
 	LDFLAGS='$(CURDIR)/build/ends.o -Wl,-u,__gcov_dump,--wrap=_exit,--wrap=setrlimit,--wrap=kill,--wrap=raise'
-STRENGTH_PLAIN = BUILD=build/mutants CFLAGS='-O1 -fPIC'
 # As the tests with sanitizers in tier unit: what C does not define ends the program.
-STRENGTH_TRAPS = -fsanitize=undefined -fsanitize-undefined-trap-on-error
+STRENGTH_TRAPS = -O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error
 # What programs have to say about their counters goes there, not among the messages that tests read.
 STRENGTH_ERRORS = GCOV_ERROR_FILE="$(CURDIR)/build/coverage/errors.log"
 STRENGTH_EXACT = $(addprefix tests/exact/test_,eval cutoff grain pixel unit reach lights)
@@ -53,17 +52,19 @@ coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## 
 		echo "coverage: what failed in this build was counted as far as it went"; done
 	@tests/strength/covered build/coverage
 
-strength-programs: $(HOST_ARCHIVES) $(UNIT_TESTS:%=%.o) $(STRENGTH_EXACT:%=$(BUILD)/%.o) $(BUILD)/host/main.o $(BUILD)/tests/exact/test_near.o \
-	$(EXACT_ORACLES) $(patsubst %,$(BUILD)/tests/exact/%.o,near cases reference_lights reference_pixel)
+# What mutants are judged by: the objects of make check, which are there or in ccache where somebody works, and no other.
+STRENGTH_JUDGES = $(STRENGTH_UNIT) tests/unit/host/test_golden tests/unit/host/test_render_lights $(STRENGTH_EXACT) tests/exact/test_near \
+	$(patsubst %.c,%,$(wildcard tests/exact/oracle*.c)) $(addprefix tests/exact/,near cases reference_lights reference_pixel) host/main
+strength-objects: $(HOST_ARCHIVES) $(STRENGTH_JUDGES:%=$(BUILD)/%.o)
 
-mutants: setup-strength build/ends.o ## check: how many small faults in lib/ and firmware/core/ the quick tests notice (20 minutes); MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names
-	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
-	@+$(SUBMAKE) -s $(STRENGTH_PLAIN) strength-programs
-	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -O1 -fPIC $(STRENGTH_TRAPS)" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
-		tests/strength/mutants build/mutants build/coverage $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
+mutants: setup-strength ## check: how many small faults in lib/ and firmware/core/ the quick tests notice; MUTANTS=440 SEED=1; MINUTES=20: a piece, the next goes on; RETRY=1: survivors again; ONLY=pattern: of these names; JOBS=2: at once
+	@+$(CHECK_MAKE) strength-objects
+	@COMPILE="$(CC) -Ilib -Ifirmware/core -std=c99 -ffreestanding -fPIC" TRAPS="$(STRENGTH_TRAPS)" COUNTERS="-O1 -g --coverage" JOBS="$(JOBS)" \
+		JUDGE="$(CC) $(filter-out -W%,$(HOST_CFLAGS)) -Itests/unit -O0" LINK="-lcmocka -lmpfr -lgmp $(HOST_LDLIBS)" GLINT_SOURCE="$(CURDIR)" \
+		tests/strength/mutants build/mutants build/check $(STRENGTH_MUTANTS) $(STRENGTH_SEED) $(MINUTES)
 
 # SECONDS of each sink; memory and descriptors, then and now.
 soak: all ## check: do long streams grow? all sinks without a device at once for SECONDS (60): memory and descriptors
 	@tests/strength/soak $(BUILD)/glint $(or $(SECONDS),60)
 
-.PHONY: soak setup-strength coverage coverage-lib coverage-whole strength-programs mutants
+.PHONY: soak setup-strength coverage coverage-lib coverage-whole strength-objects mutants

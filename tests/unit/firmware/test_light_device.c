@@ -228,6 +228,29 @@ static void a_map_with_a_normal_far_from_unit_length_is_refused(void **state)
     }
 }
 
+/* Of about unit length: up to sqrt(1 + 1/32). x and y over 128, z over 32768. */
+static void each_number_of_each_normal_of_a_map_counts(void **state)
+{
+    (void)state;
+    static const struct {
+        int32_t x, y, z;
+        bool is_taken;
+    } normals[] = {{127, 0, 1, true},     {0, 127, 1, true},      {0, 0, 32767, true},     {-128, 22, 1, true},
+                   {-128, -22, 1, true},  {22, -128, 1, true},    {-128, 23, 1, false},    {-128, -23, 1, false},
+                   {-23, -128, 1, false}, {127, 0, 23100, false}, {0, 127, 23100, false},  {22, 0, 32767, true},
+                   {0, 23, 32767, false}, {-128, 16, 4096, true}, {-128, 16, 4097, false}, {127, 127, 0, true}};
+    for (size_t i = 0; i < sizeof normals / sizeof *normals; i++)
+        for (uint32_t at = 0; at < PIXELS; at += PIXELS - 1) {
+            const uint32_t word = ((uint32_t)normals[i].z << 16) + (uint16_t)(256 * normals[i].y + normals[i].x);
+            uint8_t bytes[4 * PIXELS] = {0};
+            for (unsigned k = 0; k < 4; k++)
+                bytes[4 * at + k] = (uint8_t)(word >> 8 * k);
+            assert_true(enable(1) && set(LIGHT_SET_MAP, NULL, 0));
+            light_device_bulk(&device, bytes, sizeof bytes);
+            assert_int_equal(device.has_map, normals[i].is_taken);
+        }
+}
+
 static void every_normal_that_the_library_packs_is_taken(void **state)
 {
     (void)state;
@@ -446,6 +469,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(the_board_learns_of_another_material, begin, end),
         cmocka_unit_test_setup_teardown(it_cannot_be_enabled_within_a_rectangle_of_gud, begin, end),
         cmocka_unit_test_setup_teardown(a_map_with_a_normal_far_from_unit_length_is_refused, begin, end),
+        cmocka_unit_test_setup_teardown(each_number_of_each_normal_of_a_map_counts, begin, end),
         cmocka_unit_test_setup_teardown(every_normal_that_the_library_packs_is_taken, begin, end),
         cmocka_unit_test_setup_teardown(lights_queue_up_and_wait_where_there_is_no_room, begin, end),
         cmocka_unit_test_setup_teardown(the_status_is_busy_until_the_last_frame_is_drawn, begin, end),

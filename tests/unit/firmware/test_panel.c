@@ -350,19 +350,30 @@ static void a_round_glass_that_is_no_square_is_refused(void **state)
     assert_false(panel_fits(&panel));
 }
 
-/* Each: a command and its bytes, then -1. */
-static void assert_gets(enum panel_controller controller, uint16_t height, const int16_t (*values)[17], size_t count)
+/* Each: a command and its bytes, then -1. After the last one comes what all get. */
+static void assert_gets(const struct panel *panel, const int16_t (*values)[17], size_t count)
 {
-    const struct panel panel = made(&bus, controller, 0, 240, height);
-    assert_true(panel_start(&panel));
+    assert_true(panel_start(panel));
+    size_t at = 0;
     for (size_t i = 0; i < count; i++) {
-        size_t at = place_of(COMMAND, (unsigned)values[i][0]);
+        at = place_of(COMMAND, (unsigned)values[i][0]);
         for (const int16_t *byte = values[i] + 1; *byte >= 0; byte++) {
             assert_int_equal(record[++at].kind, DATA);
             assert_int_equal(record[at].value, *byte);
         }
         assert_int_not_equal(record[at + 1].kind, DATA);
     }
+    while (record[++at].kind != COMMAND)
+        assert_int_equal(record[at].kind, END);
+    assert_int_equal(record[at].value, PANEL_PIXEL_FORMAT);
+}
+
+static void the_co5300_gets_its_page_its_four_lines_and_its_brightness(void **state)
+{
+    (void)state;
+    static const int16_t values[][17] = {{0xfe, 0, -1}, {0xc4, 0x80, -1}, {0x53, 0x20, -1}, {0x51, 0, -1}};
+    const struct panel panel = made(&framed_bus, PANEL_CO5300, 0, 466, 466);
+    assert_gets(&panel, values, sizeof values / sizeof *values);
 }
 
 /* Those of Adafruit_GC9A01A, and 0x70 of Waveshare's driver. */
@@ -410,7 +421,8 @@ static void the_gc9a01_gets_the_values_of_its_makers_glass(void **state)
         {0x67, 0, 0x3c, 0, 0, 0, 1, 0x54, 0x10, 0x32, 0x98, -1},
         {0x74, 0x10, 0x85, 0x80, 0, 0, 0x4e, 0, -1},
         {0x98, 0x3e, 7, -1}};
-    assert_gets(PANEL_GC9A01, 240, values, sizeof values / sizeof *values);
+    const struct panel panel = made(&bus, PANEL_GC9A01, 0, 240, 240);
+    assert_gets(&panel, values, sizeof values / sizeof *values);
 }
 
 static void the_ili9341_gets_its_voltages_and_gamma_curves(void **state)
@@ -431,7 +443,8 @@ static void the_ili9341_gets_its_voltages_and_gamma_curves(void **state)
                                          {0xf2, 0, -1},
                                          {0xe0, 15, 49, 43, 12, 14, 8, 78, 241, 55, 7, 16, 3, 14, 9, 0, -1},
                                          {0xe1, 0, 14, 20, 3, 17, 7, 49, 193, 72, 8, 15, 12, 49, 54, 15, -1}};
-    assert_gets(PANEL_ILI9341, 320, values, sizeof values / sizeof *values);
+    const struct panel panel = made(&bus, PANEL_ILI9341, 0, 240, 320);
+    assert_gets(&panel, values, sizeof values / sizeof *values);
 }
 
 static void without_a_reset_line_the_command_resets(void **state)
@@ -594,6 +607,7 @@ int main(void)
         cmocka_unit_test(a_start_gives_the_controller_its_time_and_shows_nothing),
         cmocka_unit_test(the_backlight_is_on_only_while_the_display_is),
         cmocka_unit_test(the_tearing_line_is_driven_where_it_is_wired),
+        cmocka_unit_test(the_co5300_gets_its_page_its_four_lines_and_its_brightness),
         cmocka_unit_test(the_gc9a01_gets_the_values_of_its_makers_glass),
         cmocka_unit_test(the_gc9a01_turns_as_widely_used_drivers_turn_it),
         cmocka_unit_test(the_columns_of_a_round_glass_are_those_that_its_circle_touches),

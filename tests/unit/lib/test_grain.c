@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * Grain and maps of shininess. The bits are the exact tier's affair: here is how near pictures come to double precision, what must not matter,
  * and what is refused. */
+#include "grained.h"
 #include "meshes.h"
-
-static const uint8_t grained[] = {GLINT_MSH, GLINT_SCHLICK, GLINT_CAYLEY, GLINT_LYON, GLINT_GGX};
-enum { GRAINED = sizeof grained };
 
 /* ---- Beside double precision ---- */
 
@@ -101,24 +99,6 @@ static struct glint_maps maps_of(int scene)
                                     .grain_stride = SIDE,
                                     .shininess_stride = SIDE};
     return maps;
-}
-
-static struct look metal(enum glint_model model, uint16_t n, uint16_t across)
-{
-    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
-    static const int32_t to_light[3] = {-5, 6, 9};
-    set_model(&look, model, n, 16);
-    look.material.n_across = across;
-    look.material.clamp_peak = false;
-    look.output.dither = false;
-    for (int k = 0; k < 3; k++) {
-        look.material.ambient_q16[k] = 4000;
-        look.material.diffuse_q16[k] = 9000;
-        look.material.specular_q16[k] = 52000;
-        look.material.albedo[k] = 200;
-    }
-    assert_int_equal(look_light(&look, to_light, in_front), GLINT_OK);
-    return look;
 }
 
 static struct glint_surface whole(void)
@@ -296,6 +276,7 @@ static void codes_of_shininess_rise_from_1_to_997_and_come_back(void **state)
     (void)state;
     assert_int_equal(glint_shininess_n(0), 1);
     assert_int_equal(glint_shininess_n(255), 997);
+    assert_int_equal(glint_shininess_n(224), 432); /* the one that is nearest to a half */
     for (unsigned code = 0; code < 256; code++) {
         const uint32_t n = glint_shininess_n((uint8_t)code);
         const double meant = exp2(code * 5 / 128.);
@@ -384,79 +365,6 @@ static void a_span_from_one_side_along_the_grain_to_the_other_is_drawn_alike_bot
     for (int i = 0; i < COUNT; i++)
         for (int k = 0; k < 3; k++)
             assert_in_range(there[3 * i + k] - back[3 * (COUNT - 1 - i) + k] + 1, 0, 2);
-}
-
-/* ---- Meshes ---- */
-
-static struct made_mesh ball;
-
-static void make_ball(void)
-{
-    static const struct glint_pose pose = {{30000, 9000, -5000, 7000}, {0, 0, 0}, 16 * 44};
-    mesh_ball(&ball, 12, 20);
-    ball.pose = pose;
-    ball.mesh.grain[0] = 20000, ball.mesh.grain[1] = -12000, ball.mesh.grain[2] = 23000;
-    ball.mesh.use_grain = &glint_use_mesh_grain;
-}
-
-static void draw_ball(const struct look *look, uint8_t *drawn, unsigned height, bool backwards)
-{
-    struct glint_paint paint;
-    paint_of(&paint, look);
-    memset(drawn, GUARD, 3 * MESH_W * MESH_H);
-    mesh_picture(&ball, &paint, drawn, 3, &height, 1, backwards);
-}
-
-static void a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign(void **state)
-{
-    (void)state;
-    static uint8_t drawn[2][3 * MESH_W * MESH_H];
-    for (int k = 0; k < GRAINED; k++)
-        for (int outlined = 0; outlined < 2; outlined++) {
-            const struct look look = metal((enum glint_model)grained[k], 60, 8);
-            make_ball();
-            if (outlined)
-                mesh_join(&ball);
-            draw_ball(&look, drawn[0], MESH_H, false);
-            draw_ball(&look, drawn[1], 7, true);
-            assert_memory_equal(drawn[0], drawn[1], sizeof *drawn);
-            for (int j = 0; j < 3; j++)
-                ball.mesh.grain[j] = (int16_t)-ball.mesh.grain[j];
-            draw_ball(&look, drawn[1], MESH_H, false);
-            for (size_t i = 0; i < sizeof *drawn; i++)
-                assert_in_range(drawn[0][i] - drawn[1][i] + 1, 0, 2);
-        }
-}
-
-static enum glint_err added(const struct glint_mesh *mesh, const struct glint_paint *paint, size_t more)
-{
-    static _Alignas(8) uint8_t memory[8192 + GLINT_MESH_LIGHTS_BYTES];
-    static uint32_t work[16384];
-    struct glint_mesh_frame frame;
-    struct glint_mesh_drawn drawn;
-    assert_int_equal(glint_mesh_begin(&frame, 16, 16, 16, 0, memory, glint_mesh_frame_bytes(16, 16) + more), GLINT_OK);
-    return glint_mesh_add(&frame, &drawn, mesh, &ball.pose, paint, work, sizeof work);
-}
-
-static void a_mesh_takes_grain_along_its_axis_under_one_directional_light(void **state)
-{
-    (void)state;
-    static const int32_t place[3] = {100, 100, 5000};
-    const struct look look = metal(GLINT_MSH, 60, 8);
-    struct glint_paint paint;
-    struct glint_light point;
-    make_ball();
-    paint_of(&paint, &look);
-    assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_OK);
-    assert_int_equal(added(&ball.mesh, &paint, 0), GLINT_ERR_ARG);
-    ball.mesh.use_grain = NULL;
-    assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_ERR_ARG);
-    ball.mesh.use_grain = &glint_use_mesh_grain;
-    assert_int_equal(glint_paint_light(&paint, &look.light, 0, in_front), GLINT_OK);
-    assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_OK);
-    assert_int_equal(glint_light_point(&point, place, 20000), GLINT_OK);
-    assert_int_equal(glint_paint_light(&paint, &point, 1, in_front), GLINT_OK);
-    assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_ERR_ARG);
 }
 
 /* ---- What is refused ---- */
@@ -575,8 +483,6 @@ int main(void)
         cmocka_unit_test(a_map_of_shininess_is_the_material_of_that_n),
         cmocka_unit_test(a_span_has_the_grain_of_its_interpolated_normals),
         cmocka_unit_test(a_span_from_one_side_along_the_grain_to_the_other_is_drawn_alike_both_ways),
-        cmocka_unit_test(a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign),
-        cmocka_unit_test(a_mesh_takes_grain_along_its_axis_under_one_directional_light),
         cmocka_unit_test(a_program_that_names_the_plain_model_has_no_grain),
         cmocka_unit_test(models_without_grain_refuse_n_across_and_its_maps),
         cmocka_unit_test(maps_that_make_no_sense_are_refused),

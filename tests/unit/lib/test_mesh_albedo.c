@@ -2,6 +2,8 @@
  * Meshes in colours of their faces or vertices. */
 #include "mesh_colours.h"
 
+#include "glint_mesh_texture.h"
+
 static struct made_mesh mesh;
 static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
 static const unsigned whole[] = {MESH_H}, odd[] = {1, 7, 16, 3, 40};
@@ -226,6 +228,51 @@ static void the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way(
     }
 }
 
+/* The parts of a line in perspective, one after the other: `perspective` of sequence.md. */
+static unsigned parts_of[9];
+
+static void line_in_parts(struct glint_mesh_over *over, int32_t y, int32_t left, int32_t right, uint32_t z, uint32_t dz)
+{
+    glint_use_mesh_albedo.line(over, y, left, right, z, dz);
+    struct glint_mesh_over at = *over;
+    while (at.is_far && at.to < right) {
+        const int32_t before[2] = {at.off[0], at.off[1]};
+        glint_use_mesh_albedo.next(&at);
+        const int32_t n = (at.to < right ? at.to : right - 1) - at.from;
+        assert_in_range(n, 0, 8);
+        const int64_t part = n == 0 ? 0 : n == 1 ? 65535 : (2 * 65536 / n + 1) / 2;
+        for (int k = 0; k < 2; k++) {
+            const int64_t change = (int32_t)((uint32_t)at.off[k] - (uint32_t)before[k]);
+            assert_int_equal(at.step[k], (uint32_t)(change * part >> 16) << at.up);
+            assert_int_equal(at.now[k], at.base[k] + ((uint32_t)before[k] << at.up));
+        }
+        parts_of[n]++;
+    }
+}
+
+static void in_perspective_textures_go_in_steps_of_the_sequence(void **state)
+{
+    (void)state;
+    static uint8_t out[MESH_H * MESH_W * 3];
+    struct glint_use_mesh checked = glint_use_mesh_albedo;
+    checked.line = line_in_parts;
+    for (int i = 0; i < 40; i++) {
+        const struct look look = bare(GLINT_RGB888);
+        struct made_texture texture = texture_at_random();
+        struct glint_paint paint;
+        paint_of(&paint, &look);
+        mesh_ball(&mesh, 4, 7);
+        mesh.distance = 2000;
+        uv_at_random(&mesh);
+        mesh.mesh.textures = &texture.texture;
+        mesh.mesh.use = &checked;
+        mesh_picture(&mesh, &paint, out, 3, whole, 1, false);
+        texture_free(&texture);
+    }
+    for (int n = 1; n <= 8; n++)
+        assert_true(parts_of[n] > 20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +282,7 @@ int main(void)
         cmocka_unit_test(a_face_by_albedo_tables_has_its_colour_within_a_level),
         cmocka_unit_test(a_face_of_full_levels_has_them_in_light_that_is_ambient_alone),
         cmocka_unit_test(the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way),
+        cmocka_unit_test(in_perspective_textures_go_in_steps_of_the_sequence),
         cmocka_unit_test(colours_of_vertices_are_linear_between_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -283,9 +283,41 @@ static void places_for_triangles_that_go_on_are_free_again_where_these_end(void 
     assert_int_equal(free_places(&frame), places);
 }
 
+/* The last band may be of one line. Lists lie in memory that holds anything before. */
+static void a_picture_of_any_height_is_the_same_whatever_its_memory_held(void **state)
+{
+    (void)state;
+    enum { LINES = 2 * GLINT_MESH_BAND + 2 };
+    static struct made_mesh mesh;
+    static uint8_t drawn[2][MESH_W * LINES * 3];
+    static _Alignas(8) uint8_t depths[MESH_W * LINES * 2 + 4096];
+    static uint32_t work[(MESH_VERTICES * 16 + MESH_FACES * 2 + 256) / 4];
+    const struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_paint paint;
+    paint_of(&paint, &look);
+    mesh_ball(&mesh, 9, 12);
+    for (uint16_t h = 1; h <= LINES; h++) {
+        const size_t bytes = glint_mesh_bytes(&mesh.mesh, h);
+        assert_true(bytes <= sizeof work && glint_mesh_frame_bytes(MESH_W, h) <= sizeof depths);
+        for (int i = 0; i < 2; i++) {
+            const struct glint_surface surface = {drawn[i], 3 * MESH_W, 0, 0};
+            struct glint_mesh_frame frame;
+            struct glint_mesh_drawn shown;
+            memset(drawn[i], GUARD, sizeof drawn[i]);
+            memset(work, i ? 0 : 0xff, sizeof work);
+            assert_int_equal(glint_mesh_begin(&frame, MESH_W, h, h, 0, depths, glint_mesh_frame_bytes(MESH_W, h)),
+                             GLINT_OK);
+            assert_int_equal(glint_mesh_add(&frame, &shown, &mesh.mesh, &mesh.pose, &paint, work, bytes), GLINT_OK);
+            assert_int_equal(glint_mesh_strip(&frame, 0, h, &surface), GLINT_OK);
+        }
+        assert_memory_equal(drawn[0], drawn[1], sizeof *drawn);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_picture_of_any_height_is_the_same_whatever_its_memory_held),
         cmocka_unit_test(a_triangle_without_area_has_no_lines),
         cmocka_unit_test(the_least_triangle_is_one),
         cmocka_unit_test(a_skip_by_no_line_changes_nothing),

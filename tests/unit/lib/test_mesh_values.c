@@ -388,10 +388,22 @@ static void a_height_s_inverse_is_the_quotient_below_512_pixels(void **state)
     }
 }
 
+static void a_shift_by_more_than_a_number_s_bits_leaves_nothing(void **state)
+{
+    (void)state;
+    for (int down = -70; down <= 70; down++)
+        for (unsigned i = 0; i < 100; i++) {
+            const int32_t r = (int32_t)below(UINT32_MAX) >> below(31);
+            const double shifted = floor(ldexp(r, -down) + .5), whole = 4294967296.;
+            assert_true(glint_mesh_shift(r, down) == (uint32_t)(shifted - whole * floor(shifted / whole)));
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_height_s_inverse_is_the_quotient_below_512_pixels),
+        cmocka_unit_test(a_shift_by_more_than_a_number_s_bits_leaves_nothing),
         cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
         cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
         cmocka_unit_test(no_pixel_of_a_matt_triangle_lies_in_the_highlight),

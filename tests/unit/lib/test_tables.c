@@ -387,10 +387,41 @@ static void a_run_that_says_more_than_there_is_does_no_harm(void **state)
     }
 }
 
+/* Diffuse light that at 1.0 is a unit, of 2^-16, below the next level of red, or just there. */
+static void what_is_lit_by_more_than_1_has_the_exact_colour_of_1(void **state)
+{
+    (void)state;
+    static const struct glint_vec longer = {32767, 32767, 32767};
+    static const int32_t aslant[3] = {1, 1, 1};
+    const struct glint_maps maps = {.normals = &longer};
+    struct look look = random_look(GLINT_RGB565, GLINT_GAMMA);
+    struct glint_paint exact, tables;
+    set_model(&look, GLINT_MSH, 60, 8);
+    look.output.dither = false;
+    assert_int_equal(look_light(&look, aslant, in_front), GLINT_OK);
+    memset(look.material.albedo, 255, sizeof look.material.albedo);
+    memset(look.material.ambient_q16, 0, sizeof look.material.ambient_q16);
+    memset(look.material.specular_q16, 0, sizeof look.material.specular_q16);
+    for (uint32_t i = 2; i < 64; i++) {
+        const uint32_t level = i / 2, reaches = i % 2;
+        uint16_t by_exact = 0, by_tables = 0;
+        const struct glint_surface first = {.pixels = &by_exact}, second = {.pixels = &by_tables};
+        for (int k = 0; k < 3; k++)
+            look.material.diffuse_q16[k] = ((2 * level - 1) * 32768 - 1) / 31 + reaches;
+        paint_of(&exact, &look);
+        paint_of_tables(&tables, GLINT_TABLES_COLOUR, &look, memory);
+        assert_int_equal(glint_draw_rect(&exact, &maps, 1, 1, &first, NULL), GLINT_OK);
+        assert_int_equal(glint_draw_rect(&tables, &maps, 1, 1, &second, NULL), GLINT_OK);
+        assert_int_equal(by_exact >> 11, level - 1 + reaches);
+        assert_int_equal(by_tables, by_exact);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(colour_tables_stay_within_their_documented_difference_from_the_exact_paint),
+        cmocka_unit_test(what_is_lit_by_more_than_1_has_the_exact_colour_of_1),
         cmocka_unit_test(a_packed_normal_keeps_its_direction_and_its_length),
         cmocka_unit_test(any_normal_is_packed_to_the_nearest_x_and_y_and_the_z_that_is_left),
         cmocka_unit_test(what_cannot_be_packed_is_0_and_unpacks_to_no_surface),

@@ -1,0 +1,146 @@
+/* SPDX-License-Identifier: MIT
+ * What is quick, counted and not timed: fused loops draw what they can, and few pixels are left to the 64-bit sequence. */
+#include "lamps.h"
+#include "mesh_colours.h"
+
+#include "glint_mesh_texture.h"
+#include "glint_pixel.h"
+
+static unsigned quick, slow;
+
+static void count_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
+                        const struct glint_mesh_target *target, const struct glint_texture *texture)
+{
+    quick++;
+    glint_use_mesh_albedo.lines(tables, triangle, target, texture);
+}
+
+static void count_rgb565(struct glint_mesh_over *over, int32_t x, uint8_t *out, unsigned count)
+{
+    slow++;
+    glint_use_mesh_albedo.rgb565(over, x, out, count);
+}
+
+static void triangles_in_one_strip_are_drawn_by_the_fused_lines_of_albedo_tables(void **state)
+{
+    (void)state;
+    static struct made_mesh mesh;
+    static uint32_t memory[GLINT_TABLES_ALBEDO_BYTES / 4];
+    static uint16_t out[MESH_H * MESH_W];
+    static const unsigned whole[] = {MESH_H};
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_use_mesh counted = glint_use_mesh_albedo;
+    struct glint_paint paint;
+    paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
+    counted.lines = count_lines;
+    counted.rgb565 = count_rgb565;
+    mesh_ball(&mesh, 5, 9);
+    colour_at_random(&mesh);
+    mesh.mesh.of_vertices = &mesh.colours[0][0];
+    mesh.mesh.use = &counted;
+    quick = slow = 0;
+    mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
+    assert_in_range(quick, 20, mesh.mesh.face_count);
+    assert_int_equal(slow, 0);
+}
+
+static const struct glint_use_format *counted_format;
+
+static void count_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                        const struct glint_sample *sums, unsigned apart)
+{
+    slow++;
+    counted_format->exact(paint, run, i, sums, apart);
+}
+
+/* A normal that is longer than 1 has N.L of all of 1.0. */
+static void where_a_coloured_lamp_shines_in_full_32_bits_decide(void **state)
+{
+    (void)state;
+    enum { COUNT = 64 };
+    static struct glint_vec normals[COUNT];
+    static uint8_t out[3 * COUNT];
+    const struct look look = bare(GLINT_RGB888);
+    struct glint_paint paint;
+    static const int32_t position[3] = {8 * COUNT, 0, 2000};
+    struct glint_light lamp;
+    assert_int_equal(glint_light_point(&lamp, position, GLINT_LIGHT_FAR), GLINT_OK);
+    lamp.color_q16[1] = 40000;
+    assert_int_equal(glint_paint_exact(&paint, &look.material, &look.output), GLINT_OK);
+    assert_int_equal(glint_paint_light(&paint, &lamp, 1, in_front), GLINT_OK);
+    struct glint_use_format counted = *paint.format;
+    counted_format = paint.format;
+    counted.exact = count_exact;
+    paint.format = &counted;
+    for (unsigned i = 0; i < COUNT; i++)
+        normals[i] = (struct glint_vec){32767, 32767, 32767};
+    const struct glint_maps maps = {.normals = normals};
+    const struct glint_surface surface = {.pixels = out, .stride = sizeof out};
+    slow = 0;
+    assert_int_equal(glint_draw_rect(&paint, &maps, COUNT, 1, &surface, NULL), GLINT_OK);
+    assert_int_equal(slow, 0);
+}
+
+static const struct glint_use_coverage *counted_soft;
+
+static void count_soft(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                       const struct glint_sample *sums, unsigned apart)
+{
+    slow++;
+    counted_soft->format.exact(paint, run, i, sums, apart);
+}
+
+/* The share of pixels of random scenes that took the 64-bit sequence. lights: 0, a white directional one. */
+static double share_of_64_bits(enum glint_format format, enum glint_space space, unsigned lights, bool maps, bool soft)
+{
+    enum { SCENES = 30 };
+    static struct scene s;
+    slow = 0;
+    for (int i = 0; i < SCENES; i++) {
+        struct glint_light lamps[GLINT_LIGHTS_MAX];
+        struct glint_paint paint;
+        scene_init(&s, format, space);
+        paint_of(&paint, &s.look);
+        if (lights) {
+            random_lights(lamps);
+            assert_int_equal(glint_paint_light(&paint, lamps, lights, in_front), GLINT_OK);
+        }
+        struct glint_use_format counted = *paint.format;
+        struct glint_use_coverage counted_blend = glint_use_coverage;
+        counted_format = paint.format;
+        counted.exact = count_exact;
+        paint.format = &counted;
+        counted_soft = &glint_use_coverage;
+        counted_blend.format.exact = count_soft;
+        if (!maps)
+            s.maps.albedo = s.maps.gloss = NULL;
+        if (!soft)
+            s.maps.coverage = NULL;
+        assert_int_equal(glint_draw_rect_by(&paint, &s.maps, W, H, &s.surface, NULL, soft ? &counted_blend : NULL),
+                         GLINT_OK);
+    }
+    return slow / (double)(SCENES * W * H);
+}
+
+static void thirty_two_bits_decide_most_pixels_of_each_format_light_and_map(void **state)
+{
+    (void)state;
+    /* More lights are more often brighter than 1.0. */
+    static const double most[] = {.08, .25, .25, .4, .65};
+    for (int format = 0; format < GLINT_FORMAT_COUNT; format++)
+        for (int space = 0; space < 2; space++)
+            for (unsigned lights = 0; lights <= 4; lights++)
+                for (int maps = 0; maps < 4; maps++)
+                    assert_true(share_of_64_bits((enum glint_format)format, (enum glint_space)space, lights, maps & 1,
+                                                 maps & 2) < most[lights]);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(triangles_in_one_strip_are_drawn_by_the_fused_lines_of_albedo_tables),
+        cmocka_unit_test(thirty_two_bits_decide_most_pixels_of_each_format_light_and_map),
+        cmocka_unit_test(where_a_coloured_lamp_shines_in_full_32_bits_decide),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
