@@ -59,6 +59,17 @@ static inline void grain_scaled(struct grain_way *way, int32_t x, int32_t y, uns
 
 /* ---- m ---- */
 
+/* Modulo 2^32: normals and axes of no unit length may go beyond. */
+static inline uint32_t grain_square(int32_t x)
+{
+    return (uint32_t)x * (uint32_t)x;
+}
+
+static inline int32_t grain_cross(int32_t a, int32_t d, int32_t b, int32_t c)
+{
+    return (int32_t)((uint32_t)(a * d) - (uint32_t)(b * c)) >> 15;
+}
+
 /* (H.T)^2 / 2 in Q22, held to most: of off = t N.U - D.U, D = N - H, which is -H.T times the root of d = |U|^2 - (N.U)^2 of a unit N. */
 static inline __attribute__((always_inline)) uint32_t grain_half_square(uint32_t off_q30, uint32_t d_q27, uint32_t most)
 {
@@ -101,7 +112,7 @@ grain_of_normal(const struct grain_way *way, bool is_unit, int32_t x, int32_t y,
     uint32_t d = (uint32_t)(z * z);
     if (!is_unit)
         d = glint_mulhi_near(d << 1, way->square << 1);
-    d = (d + (uint32_t)(across * across)) >> 3;
+    d = (d + grain_square(across)) >> 3;
     return grain_half_square(grain_off(way, along, t), d, most);
 }
 
@@ -110,9 +121,10 @@ static inline __attribute__((always_inline)) uint32_t grain_of_axis(const struct
                                                                     int32_t z, uint32_t t, uint32_t most)
 {
     const int32_t u = way->x, v = way->y, w = way->z;
-    const int32_t a = (y * w - z * v) >> 15, b = (z * u - x * w) >> 15, c = (x * v - y * u) >> 15;
-    const uint32_t d = ((uint32_t)(a * a) + (uint32_t)(b * b) + (uint32_t)(c * c)) >> 3;
-    return grain_half_square(grain_off(way, x * u + y * v + z * w, t), d, most);
+    const int32_t a = grain_cross(y, w, z, v), b = grain_cross(z, u, x, w), c = grain_cross(x, v, y, u);
+    const uint32_t d = (grain_square(a) + grain_square(b) + grain_square(c)) >> 3;
+    const uint32_t along = (uint32_t)(x * u) + (uint32_t)(y * v) + (uint32_t)(z * w);
+    return grain_half_square(grain_off(way, (int32_t)along, t), d, most);
 }
 
 /* ---- Samples ---- */
@@ -215,7 +227,7 @@ static inline __attribute__((always_inline)) void grain_walk(const struct grain_
     for (const struct glint_sample *end = sample + count; sample != end; sample++, at += step) {
         const uint32_t t = sample->t_q30, s = grain_t(g, t);
         const int32_t along = (int32_t)at, p = along >> 15;
-        const uint32_t square = (uint32_t)(p * p);
+        const uint32_t square = grain_square(p);
         sample->f_q16 = UINT32_MAX;
         if (t > GLINT_T_ONE)
             continue;

@@ -160,12 +160,21 @@ static void mesh_bounds(const struct glint_mesh_frame *frame, struct glint_mesh_
     drawn->bottom = (int16_t)(drawn->is_cut || bottom > frame->h ? frame->h : bottom);
 }
 
+/* Was the picture begun, and what is added not in it yet? */
+static bool mesh_has_room(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
+{
+    const struct glint_mesh_drawn *at = frame->first;
+    while (at && at != drawn)
+        at = at->next;
+    return frame->memory && !at;
+}
+
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,
                               const struct glint_paint *paints, void *memory, size_t bytes)
 {
     if (!frame || !drawn || !mesh || !pose || !paints || !memory || GLINT_MISALIGNED(memory, 32) ||
-        bytes < glint_mesh_bytes(mesh, frame->h) || !mesh_can(frame, mesh, paints))
+        !mesh_has_room(frame, drawn) || bytes < glint_mesh_bytes(mesh, frame->h) || !mesh_can(frame, mesh, paints))
         return GLINT_ERR_ARG;
     if (!glint_pose_set(drawn, pose, paints))
         return GLINT_ERR_VECTOR;

@@ -459,6 +459,19 @@ static void a_mesh_takes_grain_along_its_axis_under_one_directional_light(void *
     assert_int_equal(added(&ball.mesh, &paint, GLINT_MESH_LIGHTS_BYTES), GLINT_ERR_ARG);
 }
 
+static void normals_and_an_axis_of_no_unit_length_give_a_mesh_some_colour(void **state)
+{
+    (void)state;
+    static uint8_t drawn[3 * MESH_W * MESH_H];
+    const struct look look = metal(GLINT_MSH, 60, 8);
+    make_ball();
+    ball.mesh.grain[0] = ball.mesh.grain[1] = INT16_MAX;
+    ball.pose.turn[1] = ball.pose.turn[2] = ball.pose.turn[3] = 0;
+    for (unsigned i = 0; i < 3u * ball.mesh.vertex_count; i++)
+        ball.normals[i / 3][i % 3] = (int16_t)(i % 3 ? 28000 : -28000); /* about H */
+    draw_ball(&look, drawn, MESH_H, false);
+}
+
 /* ---- What is refused ---- */
 
 static enum glint_err drawn_by(const struct look *look, const struct glint_use_model *model,
@@ -577,6 +590,7 @@ int main(void)
         cmocka_unit_test(a_span_from_one_side_along_the_grain_to_the_other_is_drawn_alike_both_ways),
         cmocka_unit_test(a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign),
         cmocka_unit_test(a_mesh_takes_grain_along_its_axis_under_one_directional_light),
+        cmocka_unit_test(normals_and_an_axis_of_no_unit_length_give_a_mesh_some_colour),
         cmocka_unit_test(a_program_that_names_the_plain_model_has_no_grain),
         cmocka_unit_test(models_without_grain_refuse_n_across_and_its_maps),
         cmocka_unit_test(maps_that_make_no_sense_are_refused),
