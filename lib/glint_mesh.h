@@ -67,10 +67,10 @@ struct glint_mesh {
 };
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
-/* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
- * that do not ascend to the last face, colours of both vertices and faces, neighbours beyond the faces; textures beside colours,
- * without uv or use, of other sizes, levels or uv_bits than above, misaligned. The other functions do not look at indices or
- * textures: check a mesh once. */
+/* GLINT_ERR_ARG: NULL, misaligned, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8,
+ * parts that do not ascend to the last face, colours of both vertices and faces, neighbours beyond the faces; textures beside colours,
+ * without uv or use, of other sizes, levels or uv_bits than above. The other functions do not look at indices or textures: check a mesh
+ * once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
 /* Where a mesh stands. */

@@ -203,6 +203,26 @@ static void a_mesh_without_what_it_needs_is_refused(void **state)
     }
 }
 
+static void a_mesh_at_an_odd_address_is_refused(void **state)
+{
+    (void)state;
+    for (int which = 0; which < 4; which++) {
+        mesh_ball(&mesh, 6, 8);
+        mesh_join(&mesh);
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
+        const uint8_t *odd = (const uint8_t *)mesh.mesh.places + 1;
+        if (which == 0)
+            mesh.mesh.places = (const int16_t *)(const void *)odd;
+        if (which == 1)
+            mesh.mesh.normals = (const int16_t *)(const void *)odd;
+        if (which == 2)
+            mesh.mesh.faces = (const uint16_t *)(const void *)odd;
+        if (which == 3)
+            mesh.mesh.neighbours = (const uint16_t *)(const void *)odd;
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_ERR_ARG);
+    }
+}
+
 static void a_mesh_picture_without_an_argument_is_refused(void **state)
 {
     (void)state;
@@ -271,6 +291,7 @@ int main(void)
         cmocka_unit_test(a_cutoff_s_shininess_is_held),
         cmocka_unit_test_setup_teardown(a_picture_takes_any_amount_of_memory, set_up, nothing_drawn),
         cmocka_unit_test(a_mesh_without_what_it_needs_is_refused),
+        cmocka_unit_test(a_mesh_at_an_odd_address_is_refused),
         cmocka_unit_test_setup_teardown(a_mesh_picture_without_an_argument_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(what_is_in_a_picture_is_not_added_again, set_up, nothing_drawn),
     };
