@@ -7,6 +7,11 @@
 SANITIZE ?= 0
 $(if $(filter-out 0 1,$(SANITIZE)),$(error SANITIZE=$(SANITIZE): choose 0 or 1))
 BUILD ?= build/$(if $(filter 1,$(SANITIZE)),sanitized,host)
+$(if $(filter 1,$(words $(BUILD))),,$(error BUILD='$(BUILD)': name one folder, without blanks))
+# make -R has no default of these.
+CC ?= cc
+AR ?= ar
+$(if $(and $(strip $(CC)),$(strip $(AR))),,$(error CC='$(CC)' AR='$(AR)': name a compiler and an archiver, or leave them out))
 CFLAGS ?= -O2 -g
 OPENMP ?= -fopenmp
 PREFIX ?= /usr/local
@@ -281,6 +286,7 @@ clean: ## maintain: remove what was built
 
 always:
 .PHONY: all always have-compiler dist dist-archives dist-two-files firmware setup setup-build setup-check test check missing check-format demo run-demo gallery help packages clean install install-lib run-install-lib uninstall
+# make -B asks for sources, too.
 .DEFAULT:
-	$(error there is no goal or file '$@'; 'make help' lists the goals)
+	$(if $(wildcard $@),,$(error there is no goal or file '$@'; 'make help' lists the goals))
 -include $(shell find $(BUILD) -name '*.d' 2>/dev/null)

@@ -67,10 +67,10 @@ struct glint_mesh {
 };
 #define GLINT_MESH_RIM 65535u
 #define GLINT_MESH_SEAM 65534u
-/* GLINT_ERR_ARG: NULL, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8, parts
- * that do not ascend to the last face, colours of both vertices and faces, neighbours beyond the faces; textures beside colours,
- * without uv or use, of other sizes, levels or uv_bits than above, misaligned. The other functions do not look at indices or
- * textures: check a mesh once. */
+/* GLINT_ERR_ARG: NULL, misaligned, no vertex, an index beyond them, more than GLINT_MESH_FACES_MAX faces, a normal of -128 in normals8,
+ * parts that do not ascend to the last face, colours of both vertices and faces, neighbours beyond the faces; textures beside colours,
+ * without uv or use, of other sizes, levels or uv_bits than above. The other functions do not look at indices or textures: check a mesh
+ * once. */
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh);
 
 /* Where a mesh stands. */
@@ -142,9 +142,10 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
  * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, for
  * Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is
  * distant, also under perspective.
- * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a paint of zeros or never lit, paints of different lights or formats, no room for
- * lights; n_across without use_grain, or not under one directional light; COLOUR tables with colours of the mesh or a texture; ALBEDO
- * tables with neither; a texture, or colours by ALBEDO tables, without use. GLINT_ERR_VECTOR: a quaternion of 0. */
+ * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a frame of zeros, *drawn in its picture already, a paint of zeros or never lit, paints of
+ * different lights or formats, no room for lights; n_across without use_grain, or not under one directional light; COLOUR tables with
+ * colours of the mesh or a texture; ALBEDO tables with neither; a texture, or colours by ALBEDO tables, without use. GLINT_ERR_VECTOR: a
+ * quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,

@@ -8,11 +8,19 @@
 
 typedef char kept_fits[sizeof(struct glint_mesh_kept) <= GLINT_MESH_KEPT_BYTES ? 1 : -1];
 
+/* Arrays of 16 bits, as cores without unaligned loads would stop at. */
+static bool mesh_is_misaligned(const struct glint_mesh *mesh)
+{
+    const uintptr_t bits = (uintptr_t)mesh->places | (uintptr_t)mesh->normals | (uintptr_t)mesh->faces |
+                           (uintptr_t)mesh->ends | (uintptr_t)mesh->neighbours;
+    return GLINT_MISALIGNED(bits, 16);
+}
+
 enum glint_err glint_mesh_check(const struct glint_mesh *mesh)
 {
     if (!mesh || !mesh->places || !mesh->faces || !(mesh->normals || mesh->normals8) || mesh->vertex_count == 0 ||
         mesh->face_count > GLINT_MESH_FACES_MAX || (mesh->part_count && !mesh->ends) ||
-        (mesh->of_vertices && mesh->of_faces))
+        (mesh->of_vertices && mesh->of_faces) || mesh_is_misaligned(mesh))
         return GLINT_ERR_ARG;
     for (size_t i = 0; i < (size_t)3 * mesh->face_count; i++)
         if (mesh->faces[i] >= mesh->vertex_count)
@@ -155,12 +163,21 @@ static void mesh_bounds(const struct glint_mesh_frame *frame, struct glint_mesh_
     drawn->bottom = (int16_t)(drawn->is_cut || bottom > frame->h ? frame->h : bottom);
 }
 
+/* Was the picture begun, and what is added not in it yet? */
+static bool mesh_has_room(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
+{
+    const struct glint_mesh_drawn *at = frame->first;
+    while (at && at != drawn)
+        at = at->next;
+    return frame->memory && !at;
+}
+
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,
                               const struct glint_paint *paints, void *memory, size_t bytes)
 {
     if (!frame || !drawn || !mesh || !pose || !paints || !memory || GLINT_MISALIGNED(memory, 32) ||
-        bytes < glint_mesh_bytes(mesh, frame->h) || !mesh_can(frame, mesh, paints))
+        !mesh_has_room(frame, drawn) || bytes < glint_mesh_bytes(mesh, frame->h) || !mesh_can(frame, mesh, paints))
         return GLINT_ERR_ARG;
     if (!glint_pose_set(drawn, pose, paints))
         return GLINT_ERR_VECTOR;

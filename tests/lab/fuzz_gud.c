@@ -74,16 +74,18 @@ static const struct gud_device_ops ops = {window, line, end, display, busy};
 static bool start(struct input *input)
 {
     struct gud_device_config *c = &board.config;
-    const unsigned kind = next_byte(input);
+    const unsigned kind = next_byte(input), width = next_byte(input), height = next_byte(input),
+                   more = next_byte(input);
     memset(&board, 0, sizeof board);
-    *c = (struct gud_device_config){.width = (uint16_t)next_byte(input),
-                                    .height = (uint16_t)next_byte(input),
+    *c = (struct gud_device_config){.width = (uint16_t)width,
+                                    .height = (uint16_t)height,
                                     .refresh_hz = 60,
                                     .interface = INTERFACE,
                                     .output = (uint8_t)(kind % 4),
                                     .formats = formats,
                                     .format_count = (uint8_t)(kind / 4 % (FORMATS + 1)),
-                                    .status_after_set = next_byte(input) & 1,
+                                    .status_after_set = more & 1,
+                                    .whole_frames = more & 2,
                                     .dimmable = kind & 0x80,
                                     .max_buffer = next_word(input),
                                     .ops = &ops};
@@ -175,10 +177,13 @@ static void step(struct input *input)
     case 5: {
         size_t count = what % 8 == 4 ? what / 8 : next_word(input);
         uint8_t *const bytes = next_bytes(input, &count);
-        const uint32_t before = gud_device_expects(&board.device);
+        uint32_t before = gud_device_expects(&board.device);
+        if (!before && count && board.config.whole_frames && board.device.controller && board.device.committed.format)
+            before = (uint32_t)gud_line_bytes((enum gud_format)board.device.committed.format, board.config.width) *
+                     board.config.height;
         gud_device_bulk(&board.device, bytes, count);
         check(gud_device_expects(&board.device) == (count < before ? before - count : 0));
-        check(gud_device_expects(&board.device) == 0 || board.open);
+        check(gud_device_expects(&board.device) == 0 || board.open || board.config.whole_frames); /* busy: not drawn */
         check(count < before || !board.open);
         free(bytes);
         break;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * Fuzzes meshes: any vertices, faces, parts, colours, textures, neighbours, pose and lights that glint_mesh_check lets through are drawn within
+ * Fuzzes meshes: any vertices, faces, parts, colours, textures, neighbours, grain, pose and lights that glint_mesh_check lets through are drawn within
  * their memory, by any paint, with outlines or without, once or twice in a picture, and in strips as at once. Input: see next_mesh, next_look and draw; then strips: y, height (1 each). */
 #include <string.h>
 
@@ -228,8 +228,19 @@ static size_t line_bytes(unsigned format, unsigned w)
     return (bits[format] * w + 7) / 8;
 }
 
+/* Grain along an axis of any length: an exact paint's under a directional light. */
+static void next_grain(struct look *look, struct made *m, struct glint_material *material, struct input *input)
+{
+    material->model = GLINT_MSH;
+    material->n_across = (uint16_t)(1 + next_byte(input));
+    for (int i = 0; i < 3; i++)
+        m->mesh.grain[i] = (int16_t)next_word(input);
+    m->mesh.use_grain = &glint_use_mesh_grain;
+    look->more = GLINT_MESH_LIGHTS_BYTES;
+}
+
 /* Paints of the parts: exact, or by tables and the second one exact, and what has no texture where others have one. */
-static void next_look(struct look *look, const struct made *m, struct input *input)
+static void next_look(struct look *look, struct made *m, struct input *input)
 {
     const bool coloured = m->of_vertices || m->of_faces || m->textures;
     static const uint8_t formats[] = {GLINT_RGB888, GLINT_RGB565_SWAPPED, GLINT_RGB565, GLINT_GREY8};
@@ -266,6 +277,8 @@ static void next_look(struct look *look, const struct made *m, struct input *inp
     }
     look->line = line_bytes(output.format, look->w);
     look->more = several ? GLINT_MESH_LIGHTS_BYTES : 0;
+    if (!several && !tables && how / 4 % 4 == 3)
+        next_grain(look, m, &material, input);
     const unsigned lights = next_lights(look, several ? 1 + which % LIGHTS_MAX : 0, input);
     for (int i = 0; i < PARTS_MAX; i++) {
         struct glint_paint *paint = &look->paints[i];

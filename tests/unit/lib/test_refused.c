@@ -203,6 +203,26 @@ static void a_mesh_without_what_it_needs_is_refused(void **state)
     }
 }
 
+static void a_mesh_at_an_odd_address_is_refused(void **state)
+{
+    (void)state;
+    for (int which = 0; which < 4; which++) {
+        mesh_ball(&mesh, 6, 8);
+        mesh_join(&mesh);
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
+        const uint8_t *odd = (const uint8_t *)mesh.mesh.places + 1;
+        if (which == 0)
+            mesh.mesh.places = (const int16_t *)(const void *)odd;
+        if (which == 1)
+            mesh.mesh.normals = (const int16_t *)(const void *)odd;
+        if (which == 2)
+            mesh.mesh.faces = (const uint16_t *)(const void *)odd;
+        if (which == 3)
+            mesh.mesh.neighbours = (const uint16_t *)(const void *)odd;
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_ERR_ARG);
+    }
+}
+
 static void a_mesh_picture_without_an_argument_is_refused(void **state)
 {
     (void)state;
@@ -219,6 +239,9 @@ static void a_mesh_picture_without_an_argument_is_refused(void **state)
     assert_int_equal(glint_mesh_begin(&frame, 4, 8, 0, 0, depths, all), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, 4, GLINT_MESH_SIZE_MAX + 1, 4, 0, depths, all), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, GLINT_MESH_SIZE_MAX, GLINT_MESH_SIZE_MAX, 1, 0, depths, all), GLINT_OK);
+    memset(&frame, 0, sizeof frame); /* never begun */
+    assert_int_equal(glint_mesh_add(&frame, &drawn, m, pose, &paint, work, sizeof work), GLINT_ERR_ARG);
+    assert_int_equal(glint_mesh_strip(&frame, 0, 1, &surface), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, all), GLINT_OK);
     assert_int_equal(glint_mesh_add(NULL, &drawn, m, pose, &paint, work, sizeof work), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_add(&frame, NULL, m, pose, &paint, work, sizeof work), GLINT_ERR_ARG);
@@ -232,6 +255,23 @@ static void a_mesh_picture_without_an_argument_is_refused(void **state)
     assert_int_equal(glint_mesh_strip(&frame, 0, 1, NULL), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_strip(&frame, 0, 1, &nowhere), GLINT_ERR_ARG);
     assert_int_equal(glint_mesh_strip(&frame, 8, 1, &surface), GLINT_ERR_ARG);
+}
+
+/* Its list would have no end. */
+static void what_is_in_a_picture_is_not_added_again(void **state)
+{
+    (void)state;
+    static uint32_t depths[8000], work[3][4000];
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn[3];
+    mesh_ball(&mesh, 6, 8);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, sizeof depths), GLINT_OK);
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(glint_mesh_add(&frame, &drawn[i], &mesh.mesh, &mesh.pose, &paint, work[i], sizeof *work),
+                         GLINT_OK);
+    for (int i = 0; i < 3; i++)
+        assert_int_equal(glint_mesh_add(&frame, &drawn[i], &mesh.mesh, &mesh.pose, &paint, work[i], sizeof *work),
+                         GLINT_ERR_ARG);
 }
 
 int main(void)
@@ -251,7 +291,9 @@ int main(void)
         cmocka_unit_test(a_cutoff_s_shininess_is_held),
         cmocka_unit_test_setup_teardown(a_picture_takes_any_amount_of_memory, set_up, nothing_drawn),
         cmocka_unit_test(a_mesh_without_what_it_needs_is_refused),
+        cmocka_unit_test(a_mesh_at_an_odd_address_is_refused),
         cmocka_unit_test_setup_teardown(a_mesh_picture_without_an_argument_is_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(what_is_in_a_picture_is_not_added_again, set_up, nothing_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
