@@ -1,15 +1,23 @@
 /* SPDX-License-Identifier: MIT
  * For Eva: loops over COLOUR and ALBEDO tables as they are filled, of any colours, lights, normals, coverage and spans, for every shift. The fused
  * loops of INT8 normals are left to tests: their row rests on lengths.
- * eva: -eva-precision 1 -eva-min-loop-unroll 24 -eva-slevel 8 */
+ * eva: -eva-precision 1 -eva-min-loop-unroll 24 -eva-slevel 8 -eva-slevel-function colour_glossy:1000 */
 #include "eva.h"
+#include "glint_mesh_strip.h"
+#include "glint_mesh_texture.h"
 #include "glint_tables.h"
+#define __asm__(...) (void)0 /* which tells a compiler alone */
+#define __builtin_expect_with_probability(condition, as, how) (condition)
+#include "fused_mesh.c" /* in its place */
 
 enum { WIDE = 5, HIGH = 2 };
 static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4], pixels[WIDE * HIGH], words[2 * WIDE * HIGH];
 static uint16_t albedo[WIDE * HIGH];
 static uint8_t coverage[WIDE * HIGH];
 static struct glint_paint paint;
+static struct glint_mesh_bench bench;
+static struct glint_mesh_frame frame;
+static struct glint_mesh_drawn drawn;
 
 /* As glint_paint_tables_filled and glint_paint_light leave it: t_max is at most 1, and below what the columns of its shift hold; x is
  * at most 128 times a component, and y half one. */
@@ -187,5 +195,69 @@ void eva_albedo_spans(void)
         {
             of_levels(shift);
             span(WIDE, true);
+        }
+}
+
+/* ---- Triangles of meshes: strips of two lines of any depths, from each column to each, those outside it, too ---- */
+
+static struct {
+    uint16_t depth[WIDE * HIGH],
+        pixels[WIDE * HIGH]; /* one array to Eva, as loops go from one to the other by their distance */
+} strip;
+static struct {
+    struct glint_mesh_kept kept;
+    struct glint_mesh_laid laid;
+} place;
+
+static struct glint_mesh_edge edge_at(int32_t column, int32_t step)
+{
+    const struct glint_mesh_edge edge = {column * 65536 + (int32_t)(any % 65536), step * 65536};
+    return edge;
+}
+
+/* Columns from `left` on before `right` in the first line, and what they move by. */
+static void triangle(int32_t left, int32_t left_step, int32_t right, int32_t right_step, int16_t middle, bool is_left,
+                     uint8_t shine)
+{
+    const struct glint_mesh_values values = {
+        any, any, any, any, any, any, any, any, any, any, any, any, any_signed % 2048};
+    const struct glint_mesh_edge on_left = edge_at(left, left_step), on_right = edge_at(right, right_step);
+    struct glint_mesh_triangle *const of = &place.kept.triangle;
+    of->values = values;
+    of->long_edge = is_left ? on_left : on_right;
+    of->upper = of->lower = is_left ? on_right : on_left;
+    of->y = 0;
+    of->y_middle = middle;
+    of->y_end = (int16_t)(HIGH + any % 2);
+    of->shine = shine;
+    of->long_is_left = is_left;
+}
+
+typedef void strip_draw(const struct glint_mesh_target *target);
+static void strips(strip_draw *draw, uint8_t shine)
+{
+    const struct glint_surface surface = {strip.pixels, 2 * WIDE, (uint16_t)any, (uint16_t)any};
+    const struct glint_mesh_target target = {&surface, strip.depth, WIDE, 0, HIGH, bench.polygon.list[1].samples,
+                                             &frame,   &drawn,      NULL};
+    ANY_BYTES(strip.depth);
+    for (int32_t left = -1; left <= WIDE; left++)
+        for (int32_t right = 0; right <= WIDE + 1; right++)
+            for (int32_t step = -1; step <= 1; step++) {
+                triangle(left, step, right, -step, (int16_t)(1 + step), step & 1, shine);
+                draw(&target);
+            }
+}
+
+static void by_colours(const struct glint_mesh_target *target)
+{
+    glint_mesh_colour(&paint.of.tables.filled, &place.kept.triangle, target);
+}
+void eva_colour_triangles(void)
+{
+    for
+        SHIFTS(GLINT_COLOUR_COLUMNS_LOG)
+        {
+            of_colours(shift);
+            strips(by_colours, shift % 3);
         }
 }
