@@ -89,8 +89,14 @@ static inline __attribute__((always_inline)) uint32_t grain_half_square(uint32_t
 /* t N.U - D.U, Q30; modulo 2^32. */
 static inline uint32_t grain_off(const struct grain_way *way, int32_t along, uint32_t t)
 {
-    const int32_t t_q16 = (int32_t)((t + 8192) >> 14), along_q14 = (along + 32768) >> 16;
-    return (uint32_t)(t_q16 * along_q14) - (uint32_t)along + (uint32_t)way->h;
+    const int32_t along_q14 = (int32_t)((uint32_t)along + 32768) >> 16;
+    return ((t + 8192) >> 14) * (uint32_t)along_q14 - (uint32_t)along + (uint32_t)way->h;
+}
+
+/* Modulo 2^32, as all sums of normals and axes that need not be of length 1. */
+static inline uint32_t grain_square(int32_t x)
+{
+    return (uint32_t)x * (uint32_t)x;
 }
 
 /* Of a normal. As |U|^2 - (N.U)^2 = z^2 |U|^2 + (N.V)^2, V being U turned by a quarter, nothing is lost where that is small. */
@@ -101,7 +107,7 @@ grain_of_normal(const struct grain_way *way, bool is_unit, int32_t x, int32_t y,
     uint32_t d = (uint32_t)(z * z);
     if (!is_unit)
         d = glint_mulhi_near(d << 1, way->square << 1);
-    d = (d + (uint32_t)(across * across)) >> 3;
+    d = (d + grain_square(across)) >> 3;
     return grain_half_square(grain_off(way, along, t), d, most);
 }
 
@@ -111,8 +117,9 @@ static inline __attribute__((always_inline)) uint32_t grain_of_axis(const struct
 {
     const int32_t u = way->x, v = way->y, w = way->z;
     const int32_t a = (y * w - z * v) >> 15, b = (z * u - x * w) >> 15, c = (x * v - y * u) >> 15;
-    const uint32_t d = ((uint32_t)(a * a) + (uint32_t)(b * b) + (uint32_t)(c * c)) >> 3;
-    return grain_half_square(grain_off(way, x * u + y * v + z * w, t), d, most);
+    const uint32_t d = (grain_square(a) + grain_square(b) + grain_square(c)) >> 3;
+    const uint32_t along = (uint32_t)(x * u) + (uint32_t)(y * v) + (uint32_t)(z * w);
+    return grain_half_square(grain_off(way, (int32_t)along, t), d, most);
 }
 
 /* ---- Samples ---- */
