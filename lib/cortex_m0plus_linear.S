@@ -11,10 +11,10 @@
 #include "cortex_m0plus.inc"
 
 /* *channels. */
-#define AT_OF 0 /* P, then Q, then R, of three channels each */
-#define AT_STEPS 4
-#define AT_ENTRIES 8
-#define AT_NEAR 12 /* a channel's largest level, then the bits of what is near */
+#define AT_OF GLINT_AT_CHANNELS_OF /* P, then Q, then R, of three channels each */
+#define AT_STEPS GLINT_AT_CHANNELS_STEPS
+#define AT_ENTRIES GLINT_AT_CHANNELS_ENTRIES
+#define AT_NEAR GLINT_AT_CHANNELS_NEAR /* a channel's largest level, then the bits of what is near */
 
 /* The stack: the first pixel's level of the channel, END of them. */
 #define OUR_CHANNELS 0
@@ -62,13 +62,13 @@ function glint_linear_levels
     lsls r4, r4, #GLINT_LINEAR_SHIFT - 1
     adds r1, r1, r4
     mov p, r1
-    ldr r4, [r2, #12]               /* Q, as its upper bits and the lower ones */
+    ldr r4, [r2, #GLINT_AT_EXACT_Q]               /* Q, as its upper bits and the lower ones */
     lsrs r1, r4, #GLINT_LINEAR_FRACTION
     mov q, r1
     lsls r4, r4, #32 - GLINT_LINEAR_FRACTION
     lsrs r4, r4, #32 - GLINT_LINEAR_FRACTION
     mov q_low, r4
-    ldr r4, [r2, #24]               /* R */
+    ldr r4, [r2, #GLINT_AT_EXACT_R]               /* R */
     lsrs r1, r4, #GLINT_LINEAR_FRACTION
     str r1, [sp, #OUR_R]
     lsls r4, r4, #32 - GLINT_LINEAR_FRACTION
@@ -84,8 +84,8 @@ function glint_linear_levels
 1:
     ldr sample, [sp, #OUR_SAMPLES]
 .Lpixel:
-    ldr y, [sample, #4]     /* N.L */
-    ldr z, [sample, #8]     /* F */
+    ldr y, [sample, #GLINT_AT_SAMPLE_NL]     /* N.L */
+    ldr z, [sample, #GLINT_AT_SAMPLE_NL + 4]     /* F */
     mov x, q
     muls x, y
     mov t, q_low
@@ -134,7 +134,7 @@ function glint_linear_levels
     strb x, [at]
 .Lnext:
     adds at, at, #4
-    adds sample, sample, #12
+    adds sample, sample, #GLINT_SAMPLE_SIZE
     ldr t, [sp, #OUR_END]
     cmp at, t
     bne .Lpixel

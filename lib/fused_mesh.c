@@ -262,7 +262,7 @@ static void colour_matt(const struct glint_tables *tables, uint32_t z, uint32_t 
     do {
         if (z >> 16 < *depth) {
             *depth = (uint16_t)(z >> 16);
-            *out = (int32_t)nl < 0 ? look.dark : glint_look_colour(&look, glint_look_row(nl));
+            *out = nl > INT32_MAX ? look.dark : glint_look_colour(&look, glint_look_row(nl));
         }
         z += dz;
         nl += dnl;
@@ -291,7 +291,7 @@ static __attribute__((noinline)) void colour_glossy(const struct glint_tables *t
             if (z >> 16 < *depth) {
                 if (COLOUR_RARELY(back <= look.limit))
                     goto any;
-                if (COLOUR_RARELY((int32_t)nl < 0))
+                if (COLOUR_RARELY(nl > INT32_MAX))
                     goto any;
                 *depth = (uint16_t)(z >> 16);
                 *out = glint_look_colour(&look, glint_look_row(nl));
@@ -302,7 +302,7 @@ static __attribute__((noinline)) void colour_glossy(const struct glint_tables *t
             if (z >> 16 < *depth) {
                 if (COLOUR_RARELY(back > look.t_max))
                     goto any;
-                if (COLOUR_RARELY((int32_t)nl < 0))
+                if (COLOUR_RARELY(nl > INT32_MAX))
                     goto any;
                 const uint32_t column = look.columns[back >> look.shift]; /* being loaded while the depth is stored */
                 *depth = (uint16_t)(z >> 16);

@@ -18,6 +18,15 @@
 
 #define GLINT_AT_SPAN_W 20 /* t, dt, ddt, nl, dnl before it, from 0 on */
 
+#define GLINT_AT_SAMPLE_NL 4 /* nl, f */
+#define GLINT_SAMPLE_SIZE 12
+#define GLINT_AT_EXACT_Q 12 /* behind p, as r is */
+#define GLINT_AT_EXACT_R 24
+#define GLINT_AT_CHANNELS_OF 0 /* of, steps, entries, near: struct linear_channels, whose check is beside it */
+#define GLINT_AT_CHANNELS_STEPS 4
+#define GLINT_AT_CHANNELS_ENTRIES 8
+#define GLINT_AT_CHANNELS_NEAR 12
+
 #define GLINT_LINEAR_FRACTION 14 /* bits of Q and R below V in linear space */
 #define GLINT_LINEAR_SHIFT 14 /* bits of V below its argument; fewer where a light is so bright that it would not fit */
 

@@ -174,7 +174,7 @@ static inline uint16_t glint_look_pixel(const struct glint_look *look, const str
 /* A span's pixel. back = t_max - t, modulo 2^32: a t a little below 0 makes it more than t_max, by no more than limit allows. */
 static inline void glint_look_store(const struct glint_look *look, uint32_t back, uint32_t nl, uint16_t *out)
 {
-    if ((int32_t)nl < 0) {
+    if (nl > INT32_MAX) {
         *out = look->dark;
         return;
     }

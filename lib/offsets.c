@@ -27,6 +27,13 @@ typedef char glint_paint_layout
              AT(glint_paint, of.tables.a, GLINT_AT_PAINT_A) && AT(glint_paint, output.format, GLINT_AT_PAINT_FORMAT)
          ? 1
          : -1];
+typedef char glint_exact_layout
+    [offsetof(struct glint_paint, of.exact.q) - offsetof(struct glint_paint, of.exact.p) == GLINT_AT_EXACT_Q &&
+             offsetof(struct glint_paint, of.exact.r) - offsetof(struct glint_paint, of.exact.p) == GLINT_AT_EXACT_R &&
+             AT(glint_sample, nl_q16, GLINT_AT_SAMPLE_NL) && AT(glint_sample, f_q16, GLINT_AT_SAMPLE_NL + 4) &&
+             sizeof(struct glint_sample) == GLINT_SAMPLE_SIZE
+         ? 1
+         : -1];
 typedef char glint_span_layout[AT(glint_span, t_q30, 0) && AT(glint_span, dt_q30, 4) && AT(glint_span, ddt_q30, 8) &&
                                        AT(glint_span, nl_q30, 12) && AT(glint_span, dnl_q30, 16) &&
                                        AT(glint_span, w, GLINT_AT_SPAN_W) && AT(glint_surface, pixels, 0) &&

@@ -272,6 +272,13 @@ struct linear_channels {
     const uint16_t *entries; /* the first octave's */
     uint32_t near[3];        /* the largest level; then the bits of what is near */
 };
+#define CHANNELS_AT(field, offset) (offsetof(struct linear_channels, field) == (offset))
+typedef char linear_layout[CHANNELS_AT(of, GLINT_AT_CHANNELS_OF) && CHANNELS_AT(steps, GLINT_AT_CHANNELS_STEPS) &&
+                                   CHANNELS_AT(entries, GLINT_AT_CHANNELS_ENTRIES) &&
+                                   CHANNELS_AT(near, GLINT_AT_CHANNELS_NEAR) && sizeof(union linear_pixel) == 4
+                               ? 1
+                               : -1];
+#undef CHANNELS_AT
 void glint_linear_levels(union linear_pixel *pixels, const struct glint_sample *samples, unsigned count,
                          struct linear_channels *channels);
 

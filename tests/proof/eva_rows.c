@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * For Eva: what draws a mesh's pixels in general: a run of one to four pixels at each column of a strip of four columns and two lines, by exact paints
- * of Lyon's model, from the mesh's t and for several lights, without albedo and with colours, with textures without perspective; by dithered COLOUR
- * tables and by ALBEDO tables. Values, tables and colours are any. Which pixels of a row are in front, and rows in the strip: eva_strips.c; steps across
- * a triangle: eva_across.c; several lights: eva_lights.c; textures set: eva_textures.c. Loops of COLOUR and ALBEDO tables are not here.
- * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 40 -eva-use-spec VALUES,glint_mesh_across_set,glint_mesh_corners_of,glint_mesh_corners_weigh */
+ * of Lyon's model, from the mesh's t, by Phong's normals, with grain and for several lights, without albedo and with colours, with textures, also in
+ * perspective; by dithered COLOUR tables and by ALBEDO tables. Values, tables and colours are any. Which pixels of a row are in front, and rows in the
+ * strip: eva_strips.c; steps across a triangle: eva_across.c; several lights: eva_lights.c; textures set: eva_textures.c; fused loops: eva_looks.c.
+ * eva: -eva-precision 1 -eva-min-loop-unroll 8 -eva-slevel 40 -eva-slevel-function over_off:200,over_part:200 -split-zeros -eva-use-spec glint_mesh_inverse,VALUES,glint_mesh_across_set,glint_mesh_corners_of,glint_mesh_corners_weigh */
 #include "eva_meshes.h"
 #include "glint_mesh_strip.h"
 
@@ -146,16 +146,25 @@ static void rows(unsigned bits)
             }
 }
 
-static void exact_of(const struct glint_use_format *use, uint8_t format, uint8_t space, bool dither)
+static void exact_by(const struct glint_use_model *model, uint16_t n_across, const struct glint_use_format *use,
+                     uint8_t format, uint8_t space, bool dither)
 {
-    const struct glint_material material = any_material(GLINT_LYON);
+    struct glint_material material = any_material(GLINT_LYON);
     const struct glint_output output = {format, space, dither};
+    if (n_across)
+        material.n = (uint16_t)(n_across + 1 + any % 999);
+    material.n_across = n_across;
     mesh_begin();
-    (void)glint_paint_exact_for(&paint, &material, &output, &glint_use_lyon, use);
+    (void)glint_paint_exact_for(&paint, &material, &output, model, use);
     paint.l = any_vector();
     paint.v = any_vector();
     paint.h = any_vector();
     paint.light_count = 1;
+}
+
+static void exact_of(const struct glint_use_format *use, uint8_t format, uint8_t space, bool dither)
+{
+    exact_by(&glint_use_lyon, 0, use, format, space, dither);
 }
 
 /* By each group of formats, with colours and without. */
@@ -174,6 +183,11 @@ void eva_rows_rgb565(void)
 void eva_rows_rgb888(void)
 {
     exact_of(&glint_use_rgb888, GLINT_RGB888, GLINT_GAMMA, false);
+    mapped(24);
+}
+void eva_rows_rgb888_dithered(void)
+{
+    exact_of(&glint_use_rgb888, GLINT_RGB888, GLINT_GAMMA, true);
     mapped(24);
 }
 void eva_rows_grey(void)
@@ -199,6 +213,23 @@ void eva_rows_lights(void)
     mapped(16);
 }
 
+/* Normals by Phong's geometry, and with grain along any axis. */
+void eva_rows_phong(void)
+{
+    struct glint_use_model model = glint_use_lyon;
+    model.geometry = glint_samples_phong;
+    exact_by(&model, 0, &glint_use_rgb565, GLINT_RGB565, GLINT_GAMMA, any & 1);
+    mapped(16);
+}
+void eva_rows_grain(void)
+{
+    exact_by(&glint_use_lyon_grain, 7, &glint_use_rgb565, GLINT_RGB565, GLINT_GAMMA, any & 1);
+    mesh.use_grain = &glint_use_mesh_grain;
+    for (unsigned i = 0; i < 3; i++)
+        mesh.grain[i] = (int16_t)any;
+    mapped(16);
+}
+
 /* ---- Textures ---- */
 
 enum { TEXTURE_WIDE = 3, TEXTURE_HIGH = 2 };
@@ -207,6 +238,7 @@ static uint8_t numbers[TEXTURE_WIDE * TEXTURE_HIGH];
 static struct glint_texture texture;
 static struct glint_use_mesh use;
 
+static bool is_far;
 /* As eva_textures.c shows that a triangle leaves it. */
 static void over_any(struct glint_mesh_over *over, const struct glint_mesh_target *target, unsigned face,
                      const struct glint_texture *of)
@@ -224,7 +256,7 @@ static void over_any(struct glint_mesh_over *over, const struct glint_mesh_targe
     over->picture.h = TEXTURE_HIGH;
     over->count = of ? 2 : 3;
     over->is_smooth = of && of->is_smooth;
-    over->is_far = false;
+    over->is_far = is_far;
     over->up = any % 17;
     for (unsigned k = 0; k < 2; k++) {
         over->down[k] = (uint8_t)(16 + any % 18);
@@ -255,6 +287,13 @@ static void textured(unsigned bits)
 }
 void eva_rows_textures(void)
 {
+    exact_of(&glint_use_rgb565, GLINT_RGB565, GLINT_GAMMA, any & 1);
+    textured(16);
+}
+
+void eva_rows_far(void)
+{
+    is_far = true;
     exact_of(&glint_use_rgb565, GLINT_RGB565, GLINT_GAMMA, any & 1);
     textured(16);
 }

@@ -316,7 +316,7 @@ for (const [way, swapped, colours, alone] of ALBEDO) {
 }
 console.log('glint_mesh_albedo_lines', 15 * ALBEDO.length, ...unlike)
 
-// Levels in linear space beside the sequence, undithered: every argument, each of its largest levels by turns, and a W of up to 9 steps; then arguments from any products. A level that is
+// Levels in linear space beside the sequence, undithered: every argument under both largest levels, and a W of up to 9 steps; then arguments from any products. A level that is
 // not called near is that of each.
 function linear() {
   const machine = load(`${folder}/npm`, `${folder}/m0plus-asm.elf`), table = machine.address('encodings'), at = machine.address('bench_memory') + 3 & ~3
@@ -328,9 +328,9 @@ function linear() {
   }
   const PIXELS = at, SAMPLES = at + 80, CHANNELS = at + 320, COUNT = 20, found = [0, 0, 0]
   let near = 0
-  for (let i = 0; i < 5000; i++) {
-    const steps = 1 + i % 9, grows = i < 3277, maxima = i & 1 ? [31, 63, 31] : [255, 255, 255]
-    const samples = Array.from({ length: COUNT }, (_, k) => [grows ? 0 : one(0, below(65537)), grows ? Math.min(20 * i + k, 65535) : one(0, 0, below(67110))])
+  for (let i = 0; i < 8000; i++) {
+    const steps = 1 + i % 9, grows = i < 2 * 3277, maxima = i & 1 ? [31, 63, 31] : [255, 255, 255]
+    const samples = Array.from({ length: COUNT }, (_, k) => [grows ? 0 : one(0, below(65537)), grows ? Math.min(20 * (i >> 1) + k, 65535) : one(0, 0, below(67110))])
     const channels = maxima.map((max) => [(grows ? 0 : below(2 ** 28)), grows ? 0 : below(2 ** one(20, 29)), grows ? 2 ** 28 : below(2 ** one(20, 29)), max])
     for (const fault of i % 10 ? [0] : [0, 1]) {
       samples.forEach(([nl, f], k) => [0, nl, f].forEach((value, j) => machine.memory.writeUInt32LE(value, SAMPLES - RAM + 12 * k + 4 * j)))

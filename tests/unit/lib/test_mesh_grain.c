@@ -104,6 +104,23 @@ static void the_axis_is_turned_to_nearest(void **state)
     }
 }
 
+/* Whatever it shows, nothing overflows: the sanitizers tell. */
+static void a_mesh_with_grain_is_drawn_whatever_its_axis_and_normals_are(void **state)
+{
+    (void)state;
+    static uint8_t drawn[3 * MESH_W * MESH_H];
+    const struct look look = metal(GLINT_LYON, 60, 8);
+    make_ball();
+    for (unsigned i = 0; i < ball.mesh.vertex_count; i++)
+        for (unsigned k = 0; k < 3; k++)
+            ball.normals[i][k] = ball.normals[i][k] < 0 ? INT16_MIN : INT16_MAX;
+    for (unsigned signs = 0; signs < 8; signs++) {
+        for (unsigned k = 0; k < 3; k++)
+            ball.mesh.grain[k] = signs >> k & 1 ? INT16_MIN : INT16_MAX;
+        draw_ball(&look, drawn, MESH_H, false);
+    }
+}
+
 static enum glint_err added(const struct glint_mesh *mesh, const struct glint_paint *paint, size_t more)
 {
     static _Alignas(8) uint8_t memory[8192 + GLINT_MESH_LIGHTS_BYTES];
@@ -141,6 +158,7 @@ int main(void)
         cmocka_unit_test(a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign),
         cmocka_unit_test(the_axis_turns_with_the_mesh),
         cmocka_unit_test(the_axis_is_turned_to_nearest),
+        cmocka_unit_test(a_mesh_with_grain_is_drawn_whatever_its_axis_and_normals_are),
         cmocka_unit_test(a_mesh_takes_grain_along_its_axis_under_one_directional_light),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
