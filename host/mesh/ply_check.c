@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ELEMENTS_MAX = 16, PROPERTIES_MAX = 64, LINE = 256 };
+enum { ELEMENTS_MAX = 16, PROPERTIES_MAX = 256, LINE = 256 };
 
 struct property {
     unsigned count_bytes, bytes; /* the first: of a list's length; 0: no list */
@@ -23,6 +23,7 @@ struct body {
 };
 
 static const char ends[] = "it ends before all that its header promises; export or fetch it again",
+                  damaged[] = "its header is damaged; export it again",
                   odd_list[] = "a list's length is not a number from 0 on; export it again";
 
 static bool is_blank(char c)
@@ -72,12 +73,11 @@ static unsigned bytes_of(const char *type)
 static bool take_property(struct element *element, const char *line)
 {
     char type[32], count[32];
-    if (!element || element->properties == PROPERTIES_MAX)
-        return false;
     struct property *property = &element->of[element->properties++];
     *property = (struct property){0};
     if (sscanf(line, "property list %31s %31s", count, type) == 2) {
-        property->count_bytes = strstr(count, "float") || strstr(count, "double") ? 0 : bytes_of(count);
+        const bool is_whole = !strstr(count, "float") && !strstr(count, "double");
+        property->count_bytes = is_whole ? bytes_of(count) : 0;
         property->is_signed = count[0] != 'u';
         property->bytes = property->count_bytes ? bytes_of(type) : 0;
     } else if (sscanf(line, "property %31s", type) == 1) {
@@ -89,35 +89,53 @@ static bool take_property(struct element *element, const char *line)
 static bool take_element(struct element *element, const char *line)
 {
     long long count;
-    if (sscanf(line, "element %*s %19lld", &count) != 1 || count < 0)
+    char left;
+    if (sscanf(line, "element %*s %19lld%c", &count, &left) != 1 || count < 0)
         return false;
     *element = (struct element){.count = (uint64_t)count};
     return true;
 }
 
-/* Returns what is wrong, or NULL; no elements: libassimp is to judge. */
+static bool begins(const char *line, const char *word)
+{
+    const size_t len = strlen(word);
+    return strncmp(line, word, len) == 0 && (line[len] == 0 || is_blank(line[len]));
+}
+
+/* Returns what is wrong, or NULL; no elements: there are too many of them or of their properties, and libassimp is to judge. */
 static const char *read_header(struct body *body, struct element elements[ELEMENTS_MAX], unsigned *count)
 {
-    char line[LINE], format[32] = "";
-    bool good = true;
+    char line[LINE] = "", format[32] = "";
+    bool too_many = false;
     *count = 0;
+    if (next_line(body, line) && !begins(line, "ply"))
+        return damaged;
     for (;;) {
         if (!next_line(body, line))
             return ends;
         if (strcmp(line, "end_header") == 0)
             break;
-        if (strncmp(line, "element ", 8) == 0)
-            good = good && *count < ELEMENTS_MAX && take_element(&elements[(*count)++], line);
-        else if (strncmp(line, "property ", 9) == 0)
-            good = good && take_property(*count ? &elements[*count - 1] : NULL, line);
-        else
-            sscanf(line, "format %31s", format);
+        const bool is_element = begins(line, "element"), is_property = begins(line, "property");
+        if (is_property && !*count)
+            return damaged;
+        too_many = too_many || (is_element && *count == ELEMENTS_MAX) ||
+                   (is_property && elements[*count - 1].properties == PROPERTIES_MAX);
+        if (too_many)
+            continue;
+        if (is_element    ? !take_element(&elements[(*count)++], line)
+            : is_property ? !take_property(&elements[*count - 1], line)
+                          : sscanf(line, "format %31s", format) != 1 && !begins(line, "comment") &&
+                                !begins(line, "obj_info") && *line)
+            return damaged;
     }
     body->is_text = strcmp(format, "ascii") == 0;
-    for (unsigned i = 0; good && i < *count; i++)
+    const bool is_big = strcmp(format, "binary_big_endian") == 0;
+    if (!body->is_text && !is_big && strcmp(format, "binary_little_endian") != 0)
+        return damaged;
+    for (unsigned i = 0; i < *count; i++)
         for (unsigned k = 0; k < elements[i].properties; k++)
-            elements[i].of[k].is_big = strcmp(format, "binary_big_endian") == 0;
-    if (!good || !format[0])
+            elements[i].of[k].is_big = is_big;
+    if (too_many)
         *count = 0;
     return NULL;
 }

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* What is wrong, as the end of a message; NULL: nothing, or a header that libassimp is to judge. */
+/* What is wrong, as the end of a message; NULL: nothing that is seen here. */
 const char *ply_check(const char *text, size_t len);
 
 #endif

@@ -256,6 +256,18 @@ static void a_ply_that_is_cut_or_names_vertices_that_it_does_not_have_is_refused
         snprintf(line, sizeof line, "sed '%s' whole.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", wrong[i]);
         assert_fails(line, "a face names a vertex that the file does not have");
     }
+    static const char *const damaged[] = {
+        "s/list uchar/list float/",      "s/float y/floaty y/", "s/vertex 4/vertex 4x/", "s/face 2/face -2/",
+        "s/element face/elephant face/", "s/ascii/morse/",      "s/^ply/plywood/"};
+    for (size_t i = 0; i < sizeof damaged / sizeof *damaged; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "sed '%s' whole.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", damaged[i]);
+        assert_fails(line, "its header is damaged");
+    }
+    assert_quiet(
+        "sed 's/element vertex/comment of a PLY\\ncomment\\nobj_info x 1\\n&/; s/$/\\r/' whole.ply >crlf.ply && "
+        "for f in whole crlf; do $GLINT bake --mesh $f.ply --as raw -o - 2>said >$f.bin; done; "
+        "cmp whole.bin crlf.bin && test -s crlf.bin");
     assert_fails("sed 's/3 1 2 3/-3 1 2 3/' whole.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c",
                  "a list's length is not a number");
     assert_false(exists("no.c") || exists("no.h"));
