@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh/ply_check.h"
 
+#include <errno.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { ELEMENTS_MAX = 16, PROPERTIES_MAX = 256, LINE = 256 };
@@ -86,14 +88,21 @@ static bool take_property(struct element *element, const char *line)
     return property->bytes > 0;
 }
 
+/* A number from 0 on, and nothing behind it. */
+static bool take_number(const char *word, uint64_t *number)
+{
+    char *end;
+    errno = 0;
+    const long long value = strtoll(word, &end, 10);
+    *number = (uint64_t)value;
+    return end != word && !*end && !errno && value >= 0;
+}
+
 static bool take_element(struct element *element, const char *line)
 {
-    long long count;
-    char left;
-    if (sscanf(line, "element %*s %19lld%c", &count, &left) != 1 || count < 0)
-        return false;
-    *element = (struct element){.count = (uint64_t)count};
-    return true;
+    char count[32], left;
+    *element = (struct element){0};
+    return sscanf(line, "element %*s %31s %c", count, &left) == 1 && take_number(count, &element->count);
 }
 
 static bool begins(const char *line, const char *word)
@@ -169,20 +178,16 @@ static bool skip(struct body *body, uint64_t count, unsigned bytes)
 /* Returns what is wrong, or NULL. */
 static const char *take_length(struct body *body, const struct property *list, uint64_t *length)
 {
-    char word[24] = "", left;
+    char word[24] = "";
     const char *const at = body->at;
     if (!skip(body, 1, list->count_bytes))
         return ends;
     if (body->is_text) {
-        long long number;
         const char *from = at;
         while (is_blank(*from))
             from++;
         snprintf(word, sizeof word, "%.*s", (int)(body->at - from < 23 ? body->at - from : 23), from);
-        if (sscanf(word, "%19lld%c", &number, &left) != 1 || number < 0)
-            return odd_list;
-        *length = (uint64_t)number;
-        return NULL;
+        return take_number(word, length) ? NULL : odd_list;
     }
     *length = 0;
     for (unsigned i = 0; i < list->count_bytes; i++)
