@@ -8,6 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
 #include "base/argp.h"
 #include "base/message.h"
@@ -37,7 +40,7 @@ static const struct command {
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
     {"page", command_page, "Serve the page on which the library shades in a browser"},
 };
-enum { COMMAND_COUNT = sizeof commands / sizeof *commands };
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands, THREADS_MAX = 1024 };
 
 /* The version, and what this build can send frames to, with the libraries behind it. */
 static void print_version(FILE *stream)
@@ -140,10 +143,20 @@ static void check_standard_output(int status, void *unused)
     _exit(EXIT_FAILED);
 }
 
+/* OpenMP's library keeps what it knows of its threads on the stack, which OMP_NUM_THREADS may overflow. */
+static void limit_threads(void)
+{
+#ifdef _OPENMP
+    if (omp_get_max_threads() > THREADS_MAX)
+        omp_set_num_threads(THREADS_MAX);
+#endif
+}
+
 int main(int argc, char **argv)
 {
     occupy_standard_streams();
     stop_at_signals();
+    limit_threads();
     on_exit(check_standard_output, NULL);
 
     static const struct argp argp = {

@@ -46,9 +46,19 @@ static void end_by_fault(int number, siginfo_t *info, void *context)
         end_by(number);
 }
 
+/* A stack that is full has no room for a handler. */
+static void set_handlers_stack(void)
+{
+    static char room[1 << 16];
+    stack_t now;
+    if (sigaltstack(NULL, &now) == 0 && (now.ss_flags & SS_DISABLE)) /* else a sanitizer's */
+        sigaltstack(&(stack_t){.ss_sp = room, .ss_size = sizeof room}, NULL);
+}
+
 void stop_at_signals(void)
 {
     first_thread = pthread_self();
+    set_handlers_stack();
     for (int i = 0; i < ENDS; i++) {
         if (write_reports(ends[i]))
             signal(ends[i], SIG_IGN);
@@ -58,8 +68,10 @@ void stop_at_signals(void)
     for (int i = 0; i < FAULTS; i++) {
         struct sigaction now;
         if (sigaction(faults[i], NULL, &now) == 0 && now.sa_handler == SIG_DFL) /* else a sanitizer's */
-            sigaction(faults[i], &(struct sigaction){.sa_sigaction = end_by_fault, .sa_flags = SA_SIGINFO | SA_RESTART},
-                      NULL);
+            sigaction(
+                faults[i],
+                &(struct sigaction){.sa_sigaction = end_by_fault, .sa_flags = SA_SIGINFO | SA_RESTART | SA_ONSTACK},
+                NULL);
     }
 }
 

@@ -21,10 +21,12 @@
 #include "mesh/import_picture.h"
 #include "base/child.h"
 #include "mesh/import_texture.h"
+#include "mesh/ply_check.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
     X(aiImportFileEx)                                                                                                  \
+    X(aiApplyPostProcessing)                                                                                           \
     X(aiGetErrorString)                                                                                                \
     X(aiGetMaterialColor)                                                                                              \
     X(aiGetMaterialFloatArray)                                                                                         \
@@ -253,15 +255,50 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-static const struct aiScene *read_scene(const struct import_source *of)
+/* libassimp believes what a file says of its own length. */
+static const char *check_file(const struct import_source *source)
+{
+    size_t len = source->len;
+    const char *wrong = NULL;
+    if (strcmp(source->ending, ".ply") != 0)
+        return NULL;
+    import_files(source);
+    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &len, &wrong);
+    char *bytes = stream ? import_files_read_all(stream, &len) : source->bytes;
+    if (bytes)
+        wrong = ply_check(bytes, len);
+    if (stream)
+        free(bytes);
+    return wrong;
+}
+
+/* It believes faces, too. */
+static bool names_what_is_there(const struct aiScene *scene)
+{
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        for (unsigned k = 0; k < scene->mMeshes[i]->mNumFaces; k++)
+            for (unsigned j = 0; j < scene->mMeshes[i]->mFaces[k].mNumIndices; j++)
+                if (scene->mMeshes[i]->mFaces[k].mIndices[j] >= scene->mMeshes[i]->mNumVertices)
+                    return false;
+    return true;
+}
+
+/* NULL: *wrong says why, or where it is NULL libassimp. */
+static const struct aiScene *read_scene(const struct import_source *of, const char **wrong)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
+    *wrong = check_file(of);
+    if (*wrong)
+        return NULL;
     source = *of;
     struct aiFileIO *files = import_files(&source);
     char input[32];
     snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
-    return lib.aiImportFileEx(of->path ? of->path : input, steps, files);
+    const struct aiScene *scene = lib.aiImportFileEx(of->path ? of->path : input, 0, files);
+    if (scene && !names_what_is_there(scene))
+        *wrong = "a face names a vertex that the file does not have; repair the mesh, or export it again";
+    return scene && !*wrong ? lib.aiApplyPostProcessing(scene, steps) : NULL;
 }
 
 /* libassimp quotes what it does not understand: of other files that is for nobody's eyes. The message names standard input already. */
@@ -294,11 +331,14 @@ void import_child(const struct import_source *source, int out)
         send_message(out, LIBRARY " cannot be loaded; install libassimp5");
         return;
     }
-    const struct aiScene *scene = read_scene(source);
-    if (!scene) {
+    const char *wrong;
+    const struct aiScene *scene = read_scene(source, &wrong);
+    if (!scene && wrong)
+        send_message(out, wrong);
+    else if (!scene)
         send_error(source, out);
+    if (!scene)
         return;
-    }
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
     struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);
     struct placing *placings = allocate(scene->mNumMaterials + 1, sizeof *placings);

@@ -49,6 +49,9 @@ static struct sink *open_webp(const struct sink_wish *wish)
     struct webp *webp = allocate(1, sizeof *webp);
     WebPAnimEncoderOptions options;
     webp->sink = animation_sink(wish);
+    if (webp->sink.width > WEBP_MAX_DIMENSION || webp->sink.height > WEBP_MAX_DIMENSION)
+        fail("--size: %ux%u is more than the %d pixels a side of a WebP; choose a smaller --size, or --to png",
+             webp->sink.width, webp->sink.height, WEBP_MAX_DIMENSION);
     if (!WebPConfigInit(&webp->config) || !WebPAnimEncoderOptionsInit(&options))
         fail("--to webp: the library is another version than glint was built for");
     webp->config.lossless = quality == 100;

@@ -200,6 +200,15 @@ static void a_picture_that_stands_still_is_a_frame_a_time_too(void **state)
     assert_memory_equal(shown.rgb[0], shown.rgb[3], sizeof shown.rgb[0]);
 }
 
+static void a_size_that_a_webp_cannot_have_is_refused(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT stream coin --size 16384x1 --to webp --frames 1 -o out/a.webp",
+                 "--size: 16384x1 is more than the 16383 pixels a side of a WebP");
+    assert_int_equal(
+        run("$GLINT stream coin --size 16383x1 --to webp --frames 1 -o out/a.webp && rm out/a.webp")->status, 0);
+}
+
 static void a_rate_that_a_gif_cannot_have_is_refused(void **state)
 {
     (void)state;
@@ -250,6 +259,7 @@ int main(void)
 #if GLINT_WITH_GIF
         cmocka_unit_test(a_gif_shows_the_pixels_of_the_png_sink_in_256_colours_of_rgb565_each_frame_in_its_time),
         cmocka_unit_test(a_picture_that_stands_still_is_a_frame_a_time_too),
+        cmocka_unit_test(a_size_that_a_webp_cannot_have_is_refused),
         cmocka_unit_test(a_rate_that_a_gif_cannot_have_is_refused),
 #endif
         cmocka_unit_test(a_file_is_whole_or_there_is_none),

@@ -198,7 +198,7 @@ static void what_standard_input_holds_wrong_is_one_line(void **state)
         {"<<<'vertices, but no mesh'", "standard input: this is not an OBJ, STL, PLY or glTF"},
         {"<<<'{}'", "standard input: libassimp cannot read this mesh: it is damaged"},
         {"<<<'v 0 0 0'", "standard input: "},
-        {"< <(head -c 160 a.ply)", "standard input: libassimp crashed"},
+        {"< <(head -c 160 a.ply)", "standard input: libassimp cannot read this mesh: it ends before all that"},
         {"<nan.obj", "standard input: triangle 1 has a coordinate that is not a number below 10^30"}};
     write_text("nan.obj", "v 0 0 0\nv nan 1 0\nv 1 1 0\nf 1 2 3\n");
     for (size_t i = 0; i < sizeof inputs / sizeof *inputs; i++) {
@@ -208,6 +208,68 @@ static void what_standard_input_holds_wrong_is_one_line(void **state)
     }
     assert_fails("cp a.ply a.bin; $GLINT bake --mesh - -o a.bin <a.bin", "a.bin: ");
     assert_same_file("a.ply", "a.bin");
+    assert_false(exists("no.c") || exists("no.h"));
+}
+
+/* libassimp fills up what is missing, or reads what lies behind. */
+static void a_ply_that_is_cut_or_names_vertices_that_it_does_not_have_is_refused(void **state)
+{
+    (void)state;
+    static const char head[] = "ply\nformat %s 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                               "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    static const char text[] = "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n";
+    static const char *const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    char bytes[400];
+    for (int k = 0; k < 3; k++) {
+        size_t len = (size_t)snprintf(bytes, sizeof bytes, head, formats[k]);
+        const size_t whole = len + (k ? 4 * 12 + 2 * 13 : strlen(text) - 1); /* the last line's end may be missing */
+        if (k == 0)
+            memcpy(bytes + len, text, sizeof text);
+        for (unsigned i = 0; k && i < 12; i++, len += 4) {
+            const uint32_t bits = (uint32_t[]){0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 1}[i] * 0x3f800000;
+            memcpy(bytes + len, &(uint32_t){k == 2 ? __builtin_bswap32(bits) : bits}, 4);
+        }
+        for (unsigned i = 0; k && i < 6; i++, len += 4) {
+            const uint32_t index = (uint32_t[]){0, 1, 2, 1, 2, 3}[i];
+            if (i % 3 == 0)
+                bytes[len++] = 3;
+            memcpy(bytes + len, &(uint32_t){k == 2 ? __builtin_bswap32(index) : index}, 4);
+        }
+        for (size_t cut = 1; cut <= whole + 1; cut += cut < whole - 3 ? 7 : 1) {
+            const size_t now = cut < whole ? cut : whole;
+            FILE *file = fopen("cut.ply", "wb");
+            assert_non_null(file);
+            write_bytes(file, bytes, now);
+            assert_int_equal(fclose(file), 0);
+            if (now < whole)
+                assert_fails("$GLINT bake --mesh cut.ply -o no.c", "it ends before all that its header promises");
+            else
+                assert_contains(run("$GLINT bake --mesh cut.ply")->out, "2 triangles");
+        }
+    }
+    static const char *const wrong[] = {"s/3 1 2 3/3 1 2 4/", "s/3 1 2 3/3 1 2 -1/", "s/3 1 2 3/3 1 2 999999/"};
+    write_text("whole.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                            "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
+                            "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n");
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "sed '%s' whole.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", wrong[i]);
+        assert_fails(line, "a face names a vertex that the file does not have");
+    }
+    static const char *const damaged[] = {
+        "s/list uchar/list float/",      "s/float y/floaty y/", "s/vertex 4/vertex 4x/", "s/face 2/face -2/",
+        "s/element face/elephant face/", "s/ascii/morse/",      "s/^ply/plywood/"};
+    for (size_t i = 0; i < sizeof damaged / sizeof *damaged; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "sed '%s' whole.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", damaged[i]);
+        assert_fails(line, "its header is damaged");
+    }
+    assert_quiet(
+        "sed 's/element vertex/comment of a PLY\\ncomment\\nobj_info x 1\\n&/; s/$/\\r/' whole.ply >crlf.ply && "
+        "for f in whole crlf; do $GLINT bake --mesh $f.ply --as raw -o - 2>said >$f.bin; done; "
+        "cmp whole.bin crlf.bin && test -s crlf.bin");
+    assert_fails("sed 's/3 1 2 3/-3 1 2 3/' whole.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c",
+                 "a list's length is not a number");
     assert_false(exists("no.c") || exists("no.h"));
 }
 
@@ -503,6 +565,7 @@ int main(void)
         cmocka_unit_test(stl_ply_and_gltf_are_read_and_axes_turn_what_is_up),
         cmocka_unit_test(standard_input_is_known_by_its_bytes_and_read_as_a_file_is),
         cmocka_unit_test(what_standard_input_holds_wrong_is_one_line),
+        cmocka_unit_test(a_ply_that_is_cut_or_names_vertices_that_it_does_not_have_is_refused),
         cmocka_unit_test(an_output_that_is_a_file_of_the_mesh_is_refused_and_kept),
         cmocka_unit_test(materials_take_the_memory_of_those_that_are_there),
         cmocka_unit_test(a_mesh_that_faces_inwards_is_drawn_with_a_warning),

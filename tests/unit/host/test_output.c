@@ -166,6 +166,31 @@ static void a_fault_in_a_drawing_thread_leaves_nothing(void **state)
     assert_int_equal(files_in("out"), 0);
 }
 
+static unsigned deeper(volatile unsigned *above)
+{
+    volatile unsigned here[1024] = {*above + 1};
+    return *above ? deeper(here) + here[0] : 0;
+}
+
+static void run_out_of_stack_beside_an_open_file(void)
+{
+    const struct rlimit no_core = {0, 0};
+    setrlimit(RLIMIT_CORE, &no_core);
+    signal(SIGSEGV, SIG_DFL); /* not a sanitizer's */
+    stop_at_signals();
+    output_open("out/deep");
+    deeper((volatile unsigned[]){1});
+}
+
+static void a_stack_that_runs_out_leaves_nothing(void **state)
+{
+    (void)state;
+    const int status = status_of(run_out_of_stack_beside_an_open_file);
+    assert_true(WIFSIGNALED(status));
+    assert_int_equal(WTERMSIG(status), SIGSEGV);
+    assert_int_equal(files_in("out"), 0);
+}
+
 /* Does each thread but the first hold what ends a program? */
 static bool threads_hold_signals(void)
 {
@@ -416,6 +441,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(a_signal_while_a_file_is_opened_leaves_nothing),
         TEST(a_fault_in_a_drawing_thread_leaves_nothing),
+        TEST(a_stack_that_runs_out_leaves_nothing),
         TEST(a_fault_that_is_sent_while_a_file_is_opened_beside_a_drawing_thread_leaves_nothing),
         TEST(a_drawing_thread_that_gives_up_leaves_nothing),
         TEST(threads_leave_signals_to_the_first),

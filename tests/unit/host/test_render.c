@@ -350,6 +350,14 @@ static void an_albedo_path_says_which_light_it_wants(void **state)
     assert_int_equal(strcspn(result->err, "\n") + 1, strlen(result->err));
 }
 
+static void more_threads_than_a_stack_has_room_for_draw_the_same(void **state)
+{
+    (void)state;
+    assert_quiet("$GLINT render --scene coin --size 99x99 -o out/few.ppm && "
+                 "OMP_NUM_THREADS=1000000 $GLINT render --scene coin --size 99x99 -o out/many.ppm");
+    assert_same_file("out/few.ppm", "out/many.ppm");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -370,6 +378,7 @@ int main(void)
         cmocka_unit_test(each_path_draws_the_sphere_within_its_error),
         cmocka_unit_test(exact_from_8_bits_is_exact_over_the_normals_as_they_are_held),
         cmocka_unit_test(an_albedo_path_says_which_light_it_wants),
+        cmocka_unit_test(more_threads_than_a_stack_has_room_for_draw_the_same),
     };
     return cmocka_run_group_tests_name("render", tests, make_maps, scratch_remove);
 }

@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: MIT */
+#include "mesh/ply_check.h"
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ELEMENTS_MAX = 16, PROPERTIES_MAX = 256, LINE = 256 };
+
+struct property {
+    unsigned count_bytes, bytes; /* the first: of a list's length; 0: no list */
+    bool is_signed, is_big;      /* that length */
+};
+struct element {
+    uint64_t count;
+    unsigned properties;
+    struct property of[PROPERTIES_MAX];
+};
+struct body {
+    const char *at, *end;
+    bool is_text;
+};
+
+static const char ends[] = "it ends before all that its header promises; export or fetch it again",
+                  damaged[] = "its header is damaged; export it again",
+                  odd_list[] = "a list's length is not a number from 0 on; export it again";
+
+static bool is_blank(char c)
+{
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/* ---- the header ---- */
+
+/* A line, or its beginning, without blanks and its end behind. False: there is none any more. */
+static bool next_line(struct body *body, char line[LINE])
+{
+    const char *end = body->at;
+    while (end < body->end && *end != '\n' && *end != '\r')
+        end++;
+    size_t len = (size_t)(end - body->at);
+    if (end == body->end)
+        return false;
+    len = len < LINE ? len : LINE - 1;
+    while (len && is_blank(body->at[len - 1]))
+        len--;
+    memcpy(line, body->at, len);
+    line[len] = 0;
+    end += *end == '\r' && end + 1 < body->end && end[1] == '\n' ? 2 : 1;
+    body->at = end;
+    return true;
+}
+
+/* 0: unknown. */
+static unsigned bytes_of(const char *type)
+{
+    static const struct {
+        const char *names;
+        unsigned bytes;
+    } types[] = {{" char uchar int8 uint8 ", 1},
+                 {" short ushort int16 uint16 ", 2},
+                 {" int uint int32 uint32 float float32 ", 4},
+                 {" double float64 ", 8}};
+    char name[40];
+    snprintf(name, sizeof name, " %.36s ", type);
+    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
+        if (strstr(types[i].names, name))
+            return types[i].bytes;
+    return 0;
+}
+
+static bool take_property(struct element *element, const char *line)
+{
+    char type[32], count[32];
+    struct property *property = &element->of[element->properties++];
+    *property = (struct property){0};
+    if (sscanf(line, "property list %31s %31s", count, type) == 2) {
+        const bool is_whole = !strstr(count, "float") && !strstr(count, "double");
+        property->count_bytes = is_whole ? bytes_of(count) : 0;
+        property->is_signed = count[0] != 'u';
+        property->bytes = property->count_bytes ? bytes_of(type) : 0;
+    } else if (sscanf(line, "property %31s", type) == 1) {
+        property->bytes = bytes_of(type);
+    }
+    return property->bytes > 0;
+}
+
+/* A number from 0 on, and nothing behind it. */
+static bool take_number(const char *word, uint64_t *number)
+{
+    char *end;
+    errno = 0;
+    const long long value = strtoll(word, &end, 10);
+    *number = (uint64_t)value;
+    return end != word && !*end && !errno && value >= 0;
+}
+
+static bool take_element(struct element *element, const char *line)
+{
+    char count[32], left;
+    *element = (struct element){0};
+    return sscanf(line, "element %*s %31s %c", count, &left) == 1 && take_number(count, &element->count);
+}
+
+static bool begins(const char *line, const char *word)
+{
+    const size_t len = strlen(word);
+    return strncmp(line, word, len) == 0 && (line[len] == 0 || is_blank(line[len]));
+}
+
+/* Returns what is wrong, or NULL; no elements: there are too many of them or of their properties, and libassimp is to judge. */
+static const char *read_header(struct body *body, struct element elements[ELEMENTS_MAX], unsigned *count)
+{
+    char line[LINE] = "", format[32] = "";
+    bool too_many = false;
+    *count = 0;
+    if (next_line(body, line) && !begins(line, "ply"))
+        return damaged;
+    for (;;) {
+        if (!next_line(body, line))
+            return ends;
+        if (strcmp(line, "end_header") == 0)
+            break;
+        const bool is_element = begins(line, "element"), is_property = begins(line, "property");
+        if (is_property && !*count)
+            return damaged;
+        too_many = too_many || (is_element && *count == ELEMENTS_MAX) ||
+                   (is_property && elements[*count - 1].properties == PROPERTIES_MAX);
+        if (too_many)
+            continue;
+        if (is_element    ? !take_element(&elements[(*count)++], line)
+            : is_property ? !take_property(&elements[*count - 1], line)
+                          : sscanf(line, "format %31s", format) != 1 && !begins(line, "comment") &&
+                                !begins(line, "obj_info") && *line)
+            return damaged;
+    }
+    body->is_text = strcmp(format, "ascii") == 0;
+    const bool is_big = strcmp(format, "binary_big_endian") == 0;
+    if (!body->is_text && !is_big && strcmp(format, "binary_little_endian") != 0)
+        return damaged;
+    for (unsigned i = 0; i < *count; i++)
+        for (unsigned k = 0; k < elements[i].properties; k++)
+            elements[i].of[k].is_big = is_big;
+    if (too_many)
+        *count = 0;
+    return NULL;
+}
+
+/* ---- the body ---- */
+
+static bool skip_word(struct body *body)
+{
+    while (body->at < body->end && is_blank(*body->at))
+        body->at++;
+    if (body->at == body->end)
+        return false;
+    while (body->at < body->end && !is_blank(*body->at))
+        body->at++;
+    return true;
+}
+
+static bool skip(struct body *body, uint64_t count, unsigned bytes)
+{
+    if (!body->is_text && count > (uint64_t)(body->end - body->at) / bytes)
+        return false;
+    if (!body->is_text) {
+        body->at += count * bytes;
+        return true;
+    }
+    while (count && skip_word(body))
+        count--;
+    return count == 0;
+}
+
+/* Returns what is wrong, or NULL. */
+static const char *take_length(struct body *body, const struct property *list, uint64_t *length)
+{
+    char word[24] = "";
+    const char *const at = body->at;
+    if (!skip(body, 1, list->count_bytes))
+        return ends;
+    if (body->is_text) {
+        const char *from = at;
+        while (is_blank(*from))
+            from++;
+        snprintf(word, sizeof word, "%.*s", (int)(body->at - from < 23 ? body->at - from : 23), from);
+        return take_number(word, length) ? NULL : odd_list;
+    }
+    *length = 0;
+    for (unsigned i = 0; i < list->count_bytes; i++)
+        *length |= (uint64_t)(uint8_t)at[i] << 8 * (list->is_big ? list->count_bytes - 1 - i : i);
+    return list->is_signed && *length >> (8 * list->count_bytes - 1) ? odd_list : NULL;
+}
+
+/* Elements without lists are of one size. */
+static const char *check_element(struct body *body, const struct element *element)
+{
+    unsigned bytes = 0, lists = 0;
+    for (unsigned k = 0; k < element->properties; k++) {
+        bytes += element->of[k].bytes;
+        lists += element->of[k].count_bytes > 0;
+    }
+    if (!element->properties)
+        return NULL;
+    if (!lists && !body->is_text)
+        return skip(body, element->count, bytes) ? NULL : ends;
+    for (uint64_t i = 0; i < element->count; i++)
+        for (unsigned k = 0; k < element->properties; k++) {
+            const struct property *property = &element->of[k];
+            uint64_t length = 1;
+            const char *wrong = property->count_bytes ? take_length(body, property, &length) : NULL;
+            if (wrong)
+                return wrong;
+            if (!skip(body, length, property->bytes))
+                return ends;
+        }
+    return NULL;
+}
+
+const char *ply_check(const char *text, size_t len)
+{
+    struct body body = {text, text + len, false};
+    struct element elements[ELEMENTS_MAX];
+    unsigned count;
+    const char *wrong = read_header(&body, elements, &count);
+    for (unsigned i = 0; i < count && !wrong; i++)
+        wrong = check_element(&body, &elements[i]);
+    return wrong;
+}

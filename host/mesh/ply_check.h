@@ -1,0 +1,11 @@
+/* SPDX-License-Identifier: MIT
+ * Does a PLY hold what its header promises? libassimp reads beyond the end of one that does not, or fills up what is missing. */
+#ifndef GLINT_MESH_PLY_CHECK_H
+#define GLINT_MESH_PLY_CHECK_H
+
+#include <stddef.h>
+
+/* What is wrong, as the end of a message; NULL: nothing that is seen here. */
+const char *ply_check(const char *text, size_t len);
+
+#endif
