@@ -4,6 +4,7 @@
 import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
 import { asked, browser, command, fragment, frames, isFirefox, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
+import { difference } from './glint.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const measured = readFileSync(new URL('../bench/costs.tsv', import.meta.url), 'utf8').split('\n')
@@ -26,7 +27,7 @@ run([
         for (const [id, value, word] of [['control-model', 'gauss', '--model=gauss'], ['control-across', '5', '--across=5'], ['control-background', '#30c060', '--background=48,192,96'], ['control-n', '300', '-n300'], ['control-roughness', '0.4', '--roughness=0.4'], ['control-q', '2', '-q2'],
             ['control-color', '#3060c0', '--color=48,96,192'], ['control-ambient', '0.5', '--ambient=0.5'], ['control-diffuse', '0.3', '--diffuse=0.3'],
             ['control-specular', '0.1', '--specular=0.1,0.091,0.067'], ['control-format', 'rgb888', ''], ['control-format', 'mono', '--format=mono'],
-            ['control-dither', true, '--dither'], ['control-space', 'linear', '--space=linear'], ['control-path', 'span', '--path=span'],
+            ['control-dither', true, '--dither'], ['control-space', 'linear', '--space=linear'], ['control-path', 'exact-int8', '--path=exact-int8'],
             ['control-size', '61x47', '--size=61x47'], ['control-view', '.2,.1,1', '--view=.2,.1,1']])
             await (word ? sets(id, value, word) : Promise.resolve())
         await browser.go(start.replace('coin', 'sphere'))
@@ -93,13 +94,13 @@ run([
         check(await isSeen(), 'no code is shown')
         await page.click('#code')
     }],
-    ['nothing moves by itself, and with reduced motion no control fades', async () => {
+    ['nothing moves by itself, the address follows what circles, and with reduced motion no control fades', async () => {
         await browser.go(start)
         const { rgba } = await browser.now()
         await frames(20)
         check((await browser.now()).rgba.equals(rgba), 'the picture moves')
         await page.click('#orbit')
-        await browser.until(before => document.body.dataset.drawn !== before, start)
+        await browser.until(before => location.hash.slice(1) !== before, start)
         await page.click('#orbit')
         await shownIsDrawn()
         if (isFirefox) // which cannot be told so by puppeteer
@@ -191,8 +192,20 @@ run([
             await page.click(`#${id}`)
             equal(await page.evaluate(() => globalThis.copied), expected, id)
         }
-        await browser.go('scene=coins&n=5000')
-        check((await browser.text('refusal')).startsWith('--scene: unknown scene \'coins\''), await browser.text('refusal'))
+    }],
+    ['an address that is refused shows why over a working scene, and every control leads out of it', async () => {
+        for (const [hash, sentence] of [['scene=coins&n=5000', '--scene: unknown scene \'coins\''], ['scene=knob&light=a,b', '--light: \'a,b\' is not'], ['n=60', 'no surface; give --height']]) {
+            await browser.go(hash)
+            const standIn = await browser.now(), wrong = difference(standIn.rgba, standIn.width, standIn.height, command.render(wordsOf(stateOfFragment('scene=coin&size=240x240&format=rgb565&light=-1,1,1.2'))))
+            check(standIn.refusal.startsWith(sentence), standIn.refusal)
+            check(!wrong, `in its place: ${wrong}`)
+            equal(standIn.fragment, hash, 'the state')
+        }
+        await browser.go('scene=coin&light=a,b')
+        await page.focus('#handle-1')
+        await page.keyboard.press('ArrowRight')
+        await browser.until(() => document.getElementById('refusal').hidden)
+        equal((await shownIsDrawn()).join(' '), '--scene=coin --light=0.04,0,0.999', 'the light that was moved')
     }],
     ['what the command would refuse cannot be chosen, and says why', async () => {
         const random = randomly(77)

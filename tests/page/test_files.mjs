@@ -230,5 +230,23 @@ run([
         await page.click('#undo')
         equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'undone')
     }],
+    ['what is refused of a drop is said when the rest is taken; of two drops at once the second counts', async () => {
+        const tooSmall = png({ width: 9, height: 9, type: 0, depth: 8, sample: () => 200 })
+        await browser.go(start)
+        command.put('hills.png', surfaces['grey8.png'].bytes)
+        await browser.drop({ 'hills.png': surfaces['grey8.png'].bytes })
+        await browser.until(() => document.body.dataset.kept === 'hills.png')
+        const { width, height } = await browser.now(), fits = png({ width, height, type: 0, depth: 8, sample: x => 9 * x & 255 })
+        command.put('mask.png', fits)
+        await browser.drop({ 'gloss.png': tooSmall, 'mask.png': fits })
+        await browser.until(() => document.body.dataset.kept === 'mask.png')
+        await browser.until(() => document.getElementById('refusal').textContent.startsWith('gloss.png: 9x9 pixels, but'))
+        check((await shownIsDrawn()).join(' ').startsWith('--height=hills.png --mask=mask.png'), await browser.text('command'))
+        command.put('gloss.png', fits)
+        await Promise.all([browser.drop({ 'mask.png': tooSmall }), browser.drop({ 'gloss.png': fits })])
+        await browser.until(() => document.body.dataset.kept === 'gloss.png')
+        const words = (await shownIsDrawn()).join(' ')
+        check(/^--height=hills\.png --mask=mask\.png --gloss=gloss\.png/.test(words), words)
+    }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

@@ -12,8 +12,8 @@ import { showGroup } from './tabs'
 import { fileOf, isMesh, isSurface, kinds, noSurface } from './words'
 import type { Kind, State } from './words'
 
-/** A file that is refused leaves all as it was: address, rows and picture, and what had its name. */
-async function take(file: File, kind: Kind, named: File[] = []): Promise<void> {
+/** A file that is refused leaves all as it was: address, rows and picture, and what had its name. Why it is refused, or ''. */
+async function take(file: File, kind: Kind, named: File[] = []): Promise<string> {
     const name = file.name.replace(/[/\\]/g, '_') // in the command line it must not look like a path
     const before = current(), had = bytesOf(name)
     let refusal = ''
@@ -45,7 +45,7 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<void> {
     if (!refusal) {
         await keepFile(name)
         document.body.dataset.kept = name
-        return
+        return ''
     }
     if (had)
         await putFile(name, kind, had).catch(() => undefined)
@@ -57,6 +57,7 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<void> {
         void redraw()
     await settled()
     say(refusal)
+    return refusal
 }
 
 /** What the state names it for, or by its name, as artists call them. */
@@ -70,7 +71,7 @@ function kindOf(name: string): Kind {
 const titles: Record<Kind, string> = { height: 'Height or logo', normals: 'Normals', mesh: 'Mesh', texture: 'Texture', albedo: 'Colours', gloss: 'Gloss', mask: 'Mask', grain: 'Scratches' }
 
 /** An OBJ with what it names; of the others each for itself, or the first one, for a row. Two for one row are not guessed at. */
-async function takeAll(all: File[], row?: Kind): Promise<void> {
+async function takeEach(all: File[], row?: Kind): Promise<void> {
     const obj = all.find(({ name }) => isObj(name))
     let named: File[] = [], files: { file: File, kind: Kind }[]
     try {
@@ -85,9 +86,16 @@ async function takeAll(all: File[], row?: Kind): Promise<void> {
         say((error as Error).message)
         return
     }
+    const refusals: string[] = []
     for (const { file, kind } of row ? obj ? [{ file: obj, kind: row }] : files.slice(0, 1) : files)
-        await take(file, kind, file === obj ? named : [])
+        refusals.push(await take(file, kind, file === obj ? named : []))
+    const said = refusals.filter(refusal => refusal).join('\n')
+    if (said) // the picture with the others said that all is well
+        say(said)
 }
+/** One drop after the other: each is taken back to what was there before it. */
+let taking = Promise.resolve()
+const takeAll = (all: File[], row?: Kind) => taking = taking.then(() => takeEach(all, row))
 
 const updates: (() => void)[] = []
 for (const kind of kinds) {

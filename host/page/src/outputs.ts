@@ -10,6 +10,7 @@ import type { Kind } from './programs'
 import { stagePicture } from './stage'
 import { current, link } from './store'
 import { movedTo, orbitAt, selectedLight } from './sun'
+import { onShown } from './tabs'
 import { commandLine, wordsOf } from './words'
 import type { Option, State } from './words'
 
@@ -172,6 +173,7 @@ async function copy(text: string, button: HTMLElement): Promise<void> {
 byId('copy').onclick = event => void copy(byId('command').textContent ?? '', event.currentTarget as HTMLElement)
 byId('copy-link').onclick = event => void copy(link(), event.currentTarget as HTMLElement)
 
+onShown(group => { status.hidden = group !== 'output' })
 onDrawn(({ facts, state, isBoards, white, standsIn }) => {
     byId('command').textContent = line(standsIn ? current() : state)
     byId('out-board').hidden = !isBoards

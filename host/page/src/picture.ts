@@ -4,7 +4,7 @@ import { ask, stop, Stopped, waits } from './client'
 import { byId, show } from './dom'
 import type { Facts } from './engine'
 import { missingOf } from './kept'
-import { current, onChange, reset, takeBack } from './store'
+import { current, onChange, reset, start, takeBack } from './store'
 import { fragmentOf, without, wordsOf } from './words'
 import type { State } from './words'
 
@@ -62,18 +62,24 @@ async function draw(now: State): Promise<void> {
             refusal = (error as Error).message
             throw error
         })
-        performance.mark(drawn ? 'picture' : 'first picture') // for make bench-page
-        drawn = { ...picture, ...seen, asked: now, standsIn: missing.length > 0 }
-        show(canvas, picture.width, picture.height, picture.rgba)
+        put({ ...picture, ...seen, asked: now, standsIn: missing.length > 0 })
         say(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)
-        const { format, dither } = seen.state
-        byId('status').textContent = `${picture.width} × ${picture.height}, ${format ?? 'rgb888'}${dither !== undefined ? ', dithered' : ''}; ${picture.milliseconds.toFixed(1)} ms`
-        listeners.forEach(listener => listener(drawn!))
     } catch (error) {
         if (error instanceof Stopped)
             throw error
+        if (!drawn && now !== start) // there is no last good picture
+            put({ ...await ask('draw', wordsOf(start)), state: start, asked: start, standsIn: true })
         say((error as Error).message, [])
     }
+}
+
+function put(next: Drawn & { milliseconds: number }): void {
+    performance.mark(drawn ? 'picture' : 'first picture') // for make bench-page
+    drawn = next
+    const { width, height, rgba, milliseconds, state: { format, dither } } = next
+    show(canvas, width, height, rgba)
+    byId('status').textContent = `${width} × ${height}, ${format ?? 'rgb888'}${dither !== undefined ? ', dithered' : ''}; ${milliseconds.toFixed(1)} ms`
+    listeners.forEach(listener => listener(next))
 }
 
 /** While the worker draws, changes wait, and only the last counts. */

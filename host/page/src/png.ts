@@ -44,21 +44,23 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
     }
     const view = new DataView(bytes.buffer, bytes.byteOffset)
     const [width, height] = bytes.length >= 24 ? [view.getUint32(16), view.getUint32(20)] : [1, 1]
+    const damaged = (why: string): never => { throw new Error(`${name}: damaged PNG: ${why}; save it again`) }
+    if (!width || !height)
+        damaged(`it has ${width}x${height} pixels`)
     if (width > sideMax || height > sideMax || width * height > pixelsMax)
         throw new Error(`${name}: ${width}x${height} pixels; at most ${sideMax} a side and ${pixelsMax} in all are allowed`)
-    const damaged = (why: unknown): never => { throw new Error(`${name}: damaged PNG: ${(why as Error).message}; save it again`) }
     let png: DecodedPng
     try {
         png = decode(bytes, { checkCrc: true })
     } catch (error) {
-        return damaged(error)
+        return damaged((error as Error).message.replace(/\W+$/, ''))
     }
     if (bytes[28] && png.depth < 8)
         throw new Error(`${name}: an interlaced PNG with ${png.depth} bits a sample; save it without interlacing`)
     try {
         return widen(png)
     } catch { // the decoder believes that there is a palette
-        return damaged(new Error('its palette is not there, or too short'))
+        return damaged('its palette is not there, or too short')
     }
 }
 

@@ -3,8 +3,9 @@
 import { fragmentOf, stateOfFragment } from './words'
 import type { State } from './words'
 
-const start = 'scene=coin&size=240x240&format=rgb565&light=-1,1,1.2'
-let state: State = stateOfFragment(location.hash.length > 1 ? location.hash : start)
+export const start = stateOfFragment('scene=coin&size=240x240&format=rgb565&light=-1,1,1.2')
+const ofHash = (hash: string) => hash.length > 1 ? stateOfFragment(hash) : start
+let state = ofHash(location.hash)
 let undone: State[] = [], done: State[] = []
 /** Changes of one kind in quick succession are one step to undo. */
 let lastKind = '', lastTime = 0
@@ -23,10 +24,12 @@ function tell(): void {
     listeners.forEach(listener => listener())
 }
 
-/** Not at once: browsers limit how often. */
+/** Not at once: browsers limit how often. While a light circles, too. */
 function writeFragment(): void {
-    clearTimeout(toWrite)
-    toWrite = window.setTimeout(() => history.replaceState(null, '', '#' + fragmentOf(state)), 250)
+    toWrite ??= window.setTimeout(() => {
+        toWrite = undefined
+        history.replaceState(null, '', '#' + fragmentOf(state))
+    }, 350)
 }
 
 export function change(patch: Partial<State>, kind = ''): void {
@@ -73,7 +76,7 @@ export const canUndo = () => done.length > 0
 export const canRedo = () => undone.length > 0
 
 export function reset(): void {
-    replace(stateOfFragment(start))
+    replace(start)
 }
 
 function replace(next: State): void {
@@ -93,5 +96,5 @@ export function link(): string {
 addEventListener('hashchange', event => {
     const { hash } = new URL(event.newURL)
     if (hash.slice(1) !== fragmentOf(state))
-        replace(stateOfFragment(hash.length > 1 ? hash : start))
+        replace(ofHash(hash))
 })

@@ -18,7 +18,8 @@ export function selectLight(i: number): void {
     place()
 }
 
-const numbers = (text: string) => text.split(',').map(Number)
+/** Of what is refused, too. */
+const numbers = (text: string) => [0, 1, 2].map(i => Number(text.split(',')[i]) || 0)
 
 /** Where a light stands in the picture, 0..1 from the upper left; a direction as on a ball that fills the shorter side. */
 function placeOf(light: Light): [number, number] {

@@ -71,6 +71,7 @@ function keepSeen(control: HTMLElement, frames: number): void {
 }
 byId('scroller').addEventListener('input', event => requestAnimationFrame(() => explain(event.target)))
 byId('scroller').addEventListener('pointerover', event => explain((event.target as Element).closest('.row') ? event.target : document.activeElement))
+onShown(() => explain(null))
 explain(null)
 
 const code = byId('code')
