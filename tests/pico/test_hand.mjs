@@ -21,17 +21,25 @@ function powered_up(options) {
   const { wires, chip } = pico
   const imu = new Qmi8658(chip, board.sda / 2 % 2, options)
   const made = { pico, wires, chip, imu, host: new UsbHost(pico), frames: [], first_change: undefined }
-  // What the panel has had, to find the first pixel that changes; frames by their ends.
-  const before = new Map()
-  let at = 0
+  // What the panel has had in each window (-1: nothing yet), to find the first pixel that changes; frames by their ends.
+  const windows = new Map()
+  let before, at
   const put = wires.put.bind(wires)
   wires.put = (kind, byte) => {
     put(kind, byte)
-    if (kind === 'C') { at = 0; if (byte === 0x2c && wires.window.readUInt16BE(4) === 0) made.light = light_of(made); return }
+    if (kind === 'C') {
+      at = 0
+      if (byte !== 0x2c) return
+      const key = wires.window.toString('hex')
+      if (!windows.has(key)) windows.set(key, new Int16Array(2 * judge.width * height).fill(-1))
+      before = windows.get(key)
+      if (wires.window.readUInt16BE(4) === 0) made.light = light_of(made)
+      return
+    }
     if (kind !== 'D' || wires.command !== 0x2c) return
-    const key = `${wires.window.toString('hex')} ${at++}`
-    if (before.get(key) !== byte) { made.changed++; made.first_change ??= chip.clock.nanos }
-    before.set(key, byte)
+    check(at < before.length, `more than ${at} bytes in a window`)
+    if (before[at] !== byte) { made.changed++; made.first_change ??= chip.clock.nanos }
+    before[at++] = byte
   }
   const sent = wires.sent.bind(wires)
   wires.sent = (spi) => { sent(spi); if (wires.picture_done(height)) made.frames.push({ ns: chip.clock.nanos, length: wires.length }) }
