@@ -427,9 +427,10 @@ run([
         equal(sentence(Buffer.from('\xff\xd8\xff\xe0 and more', 'latin1')), 'a.png: this is a JPEG, not a PNG; convert it to PNG', 'a JPEG')
         equal(sentence(Buffer.from('hello')), 'a.png: this is not a PNG picture; convert it to PNG', 'a text')
         for (const bytes of [damaged, good.subarray(0, 20), good.subarray(0, good.length - 30)])
-            check(/^a\.png: damaged PNG: .*; save it again$/.test(sentence(bytes)), sentence(bytes))
+            check(/^a\.png: damaged PNG: .*\w; save it again$/.test(sentence(bytes)), sentence(bytes))
         const wide = png({ width: 20000, height: 1, type: 0, depth: 8, sample: () => 0 })
         equal(sentence(wide), 'a.png: 20000x1 pixels; at most 16384 a side and 33554432 in all are allowed', 'a wide one')
+        equal(sentence(png({ width: 0, height: 40, type: 0, depth: 8, sample: () => 0 })), 'a.png: damaged PNG: it has 0x40 pixels; save it again', 'one without pixels')
     }],
     ['material, tables and baked maps are byte for byte the command\'s files', () => {
         const engine = engineWithMaps()
