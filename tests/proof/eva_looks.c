@@ -368,6 +368,10 @@ void eva_albedo_textures(void)
 {
     textured(false, false, 0);
 }
+void eva_albedo_palette(void)
+{
+    textured(true, false, 0);
+}
 void eva_albedo_smooth(void)
 {
     textured(false, true, 0);
