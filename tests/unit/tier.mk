@@ -2,7 +2,7 @@
 # Tier unit: every tests/unit/*/test_*.c is a cmocka program, linked with all of the host but main.o, built with sanitizers or
 # plain. Every other tests/unit/*/test_* is a script that speaks TAP.
 # In the environment of each: GLINT, the command; GLINT_SOURCE, the source folder; GLINT_LIBRARY, the library, but for one with
-# sanitizers, with which programs that a test compiles do not link. Threads that wait leave the processor to other tests.
+# sanitizers, with which programs that a test compiles do not link.
 # GMP and MPFR: model_added builds programs of tier exact.
 UNIT_PACKAGES = libqoi-dev libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev libmpfr-dev g++ clang libomp-dev gnuplot-nox cmake groff-base zsh gcc-12-plugin-dev
 # What make check runs needs these, and a part of it those.
@@ -24,7 +24,7 @@ UNIT_QUICK = $(filter-out $(UNIT_LONG),$(UNIT_SANITIZABLE))
 UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))
 UNIT_QUICK_SCRIPTS = $(filter-out tests/unit/slow/%,$(UNIT_SCRIPTS))
 UNIT_ENV = GLINT="$$(realpath $(BUILD)/glint)" GLINT_SOURCE="$(CURDIR)" \
-	GLINT_LIBRARY="$(if $(SANITIZERS),,$$(realpath $(BUILD)/libglint.a))" OMP_WAIT_POLICY=passive
+	GLINT_LIBRARY="$(if $(SANITIZERS),,$$(realpath $(BUILD)/libglint.a))"
 UNIT_SANITIZED = build/sanitized
 # Scripts that build: what they are given.
 UNIT_BUILDERS = "tests/unit/compilers $(BUILD)/compilers $(BUILD)/libglint.a $(SUBMAKE) TEST=" \
