@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A Cortex-M0+ (the RP2040's, emulated by rp2040js) with a program in SRAM, whose functions can be called and counted.
 import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { resolve } from 'node:path'
 import { KNOWN } from './calibrate.mjs'
-import { emulator } from './emulator.mjs'
 
 export const RAM = 0x20000000
 export const RETURN = 0x20041ff0 // the end of 264 KB; a call is over when it comes here
@@ -66,7 +67,7 @@ function strict({ chip, core }) {
 
 // The machine with the program loaded: its core, its SRAM as a buffer and as instructions, and the program's symbols.
 export function load(packages, elf) {
-  const { RP2040 } = emulator(packages)
+  const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
   const chip = new RP2040()
   const { core } = chip
   const { symbols, sizes, images } = parseElf(elf)

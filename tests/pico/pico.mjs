@@ -2,8 +2,8 @@
 // A Raspberry Pi Pico (rp2040js) that runs an unmodified UF2 image, with a panel on its pins. What the emulator leaves out and
 // matters here is added: the time that SPI frames take, and the XIP streamer with the time of flash.
 import { readFileSync } from 'node:fs'
-import { basename } from 'node:path'
-import { emulator } from '../bench/emulator.mjs'
+import { createRequire } from 'node:module'
+import { basename, resolve } from 'node:path'
 import { SecondCore } from './second_core.mjs'
 
 const FLASH = 0x10000000
@@ -256,7 +256,7 @@ export class WatchdogBite extends Error {}
 export class Pico {
   // flash_word: cycles of a 32-bit word from flash (125 MHz, a quad read at half of it).
   constructor(packages, { flash_word = 40, pins = boardOf('').pins, qspi = false } = {}) {
-    const { RP2040 } = emulator(packages)
+    const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
     this.chip = new RP2040()
     this.chip.logger = { debug() {}, info() {}, warn() {}, error: (_, message) => { throw new Error(message) } }
     this.uart = ''
