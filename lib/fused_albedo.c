@@ -133,8 +133,8 @@ albedo_numbers(const struct glint_mesh_pixels *p, const struct albedo_run *run, 
     {                                                                                                                  \
         const struct albedo_run run = {p->z,                                                                           \
                                        p->nl,                                                                          \
-                                       is_glossy ? p->back : 0,                                                        \
-                                       is_glossy ? p->dt : 0,                                                          \
+                                       (is_glossy) ? p->back : 0,                                                      \
+                                       (is_glossy) ? p->dt : 0,                                                        \
                                        {p->now[0], p->now[1], 0},                                                      \
                                        p->dz,                                                                          \
                                        p->dnl,                                                                         \
