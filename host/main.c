@@ -40,7 +40,7 @@ static const struct command {
     {"paper", command_paper, "Reproduce the paper: table, figures, claims, report"},
     {"page", command_page, "Serve the page on which the library shades in a browser"},
 };
-enum { COMMAND_COUNT = sizeof commands / sizeof *commands, THREADS_MAX = 1024 };
+enum { COMMAND_COUNT = sizeof commands / sizeof *commands, THREADS_MAX = 256 };
 
 /* The version, and what this build can send frames to, with the libraries behind it. */
 static void print_version(FILE *stream)

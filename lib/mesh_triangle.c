@@ -125,7 +125,7 @@ static inline bool t_is_beyond(const struct glint_mesh_corner *corner, uint32_t 
 
 /* Is t beyond t_end all over? It dips between corners by two thirds of the greatest side at most. And as it is a square, it is nowhere below the plane
  * that touches it at the corner where it is least, and that plane is at the others below t by the squares of the sides to them: where u and v
- * change so little that an eighth of a side is far more than what t may be off by. */
+ * change so little that an eighth of a side is more than what t may be off by, but in large triangles, whose exact t stays beyond, too. */
 static bool t_stays_beyond(const struct glint_mesh_corner *const corner[3], int e, uint32_t t_end)
 {
     const uint32_t t0 = corner[0]->v->t_q30, t1 = corner[1]->v->t_q30, t2 = corner[2]->v->t_q30;

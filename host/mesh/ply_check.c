@@ -26,6 +26,8 @@ struct body {
 
 static const char ends[] = "it ends before all that its header promises; export or fetch it again",
                   damaged[] = "its header is damaged; export it again",
+                  misread[] =
+                      "its data begin with the byte 10, which libassimp takes for the header's end; export it as text",
                   odd_list[] = "a list's length is not a number from 0 on; export it again";
 
 static bool is_blank(char c)
@@ -38,6 +40,8 @@ static bool is_blank(char c)
 /* A line, or its beginning, without blanks and its end behind. False: there is none any more. */
 static bool next_line(struct body *body, char line[LINE])
 {
+    while (body->at < body->end && (*body->at == ' ' || *body->at == '\t'))
+        body->at++;
     const char *end = body->at;
     while (end < body->end && *end != '\n' && *end != '\r')
         end++;
@@ -226,6 +230,8 @@ const char *ply_check(const char *text, size_t len)
     struct element elements[ELEMENTS_MAX];
     unsigned count;
     const char *wrong = read_header(&body, elements, &count);
+    if (!wrong && !body.is_text && body.at < body.end && *body.at == '\n' && body.at[-2] != '\r')
+        return misread;
     for (unsigned i = 0; i < count && !wrong; i++)
         wrong = check_element(&body, &elements[i]);
     return wrong;

@@ -95,7 +95,10 @@ async function takeEach(all: File[], row?: Kind): Promise<void> {
 }
 /** One drop after the other: each is taken back to what was there before it. */
 let taking = Promise.resolve()
-const takeAll = (all: File[], row?: Kind) => taking = taking.then(() => takeEach(all, row))
+function takeAll(all: File[], row?: Kind): Promise<void> {
+    const take = () => takeEach(all, row)
+    return taking = taking.then(take, take)
+}
 
 const updates: (() => void)[] = []
 for (const kind of kinds) {

@@ -30,7 +30,7 @@ let drawn: Drawn | undefined
 let busy = false, again = false
 /** Why the worker does not draw the state of the page; '': it does. */
 let refusal = ''
-let waiting: (() => void)[] = []
+let waiting: ((refusal: string) => void)[] = []
 const listeners: ((drawn: Drawn) => void)[] = []
 
 export const lastDrawn = () => drawn
@@ -47,11 +47,13 @@ export function setView(next = itself): void {
     view = next
 }
 
-/** Once the state of the page is drawn or refused: why, or ''. */
+/** Once the state that the page has, or a later one, is drawn or refused: why, or ''. */
 export async function settled(): Promise<string> {
-    if (busy)
-        await new Promise<void>(resolve => waiting.push(resolve))
-    return refusal
+    return busy ? new Promise(resolve => waiting.push(resolve)) : refusal
+}
+
+function answer(all: typeof waiting): void {
+    all.forEach(resolve => resolve(refusal))
 }
 
 async function draw(now: State): Promise<void> {
@@ -92,16 +94,18 @@ export async function redraw(): Promise<void> {
     busy = true
     do {
         again = false
-        const now = current()
+        const now = current(), asked = waiting
+        waiting = []
         try {
             await draw(now)
         } catch {
             isStopped()
         }
         document.body.dataset.drawn = fragmentOf(now)
-    } while (again)
+        answer(asked)
+    } while (again) // without end while something moves
     busy = false
-    waiting.forEach(resolve => resolve())
+    answer(waiting)
     waiting = []
 }
 

@@ -135,6 +135,15 @@ static void a_frame_of_a_lower_quality_shows_nothing_of_the_frames_before(void *
     assert_int_equal(alone.frames, 1);
     assert_memory_equal(all.rgb[7], alone.rgb[0], sizeof alone.rgb[0]);
 }
+
+static void a_size_that_a_webp_cannot_have_is_refused(void **state)
+{
+    (void)state;
+    assert_fails("$GLINT stream coin --size 16384x1 --to webp --frames 1 -o out/a.webp",
+                 "--size: 16384x1 is more than the 16383 pixels a side of a WebP");
+    assert_int_equal(
+        run("$GLINT stream coin --size 16383x1 --to webp --frames 1 -o out/a.webp && rm out/a.webp")->status, 0);
+}
 #endif
 
 #if GLINT_WITH_GIF
@@ -200,15 +209,6 @@ static void a_picture_that_stands_still_is_a_frame_a_time_too(void **state)
     assert_memory_equal(shown.rgb[0], shown.rgb[3], sizeof shown.rgb[0]);
 }
 
-static void a_size_that_a_webp_cannot_have_is_refused(void **state)
-{
-    (void)state;
-    assert_fails("$GLINT stream coin --size 16384x1 --to webp --frames 1 -o out/a.webp",
-                 "--size: 16384x1 is more than the 16383 pixels a side of a WebP");
-    assert_int_equal(
-        run("$GLINT stream coin --size 16383x1 --to webp --frames 1 -o out/a.webp && rm out/a.webp")->status, 0);
-}
-
 static void a_rate_that_a_gif_cannot_have_is_refused(void **state)
 {
     (void)state;
@@ -255,11 +255,11 @@ int main(void)
         cmocka_unit_test(a_webp_of_argb8888_has_its_alpha),
         cmocka_unit_test(a_lower_quality_takes_fewer_bytes),
         cmocka_unit_test(a_frame_of_a_lower_quality_shows_nothing_of_the_frames_before),
+        cmocka_unit_test(a_size_that_a_webp_cannot_have_is_refused),
 #endif
 #if GLINT_WITH_GIF
         cmocka_unit_test(a_gif_shows_the_pixels_of_the_png_sink_in_256_colours_of_rgb565_each_frame_in_its_time),
         cmocka_unit_test(a_picture_that_stands_still_is_a_frame_a_time_too),
-        cmocka_unit_test(a_size_that_a_webp_cannot_have_is_refused),
         cmocka_unit_test(a_rate_that_a_gif_cannot_have_is_refused),
 #endif
         cmocka_unit_test(a_file_is_whole_or_there_is_none),

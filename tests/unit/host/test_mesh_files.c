@@ -247,6 +247,8 @@ static void a_ply_that_is_cut_or_names_vertices_that_it_does_not_have_is_refused
                 assert_contains(run("$GLINT bake --mesh cut.ply")->out, "2 triangles");
         }
     }
+    write_text("odd.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty int x\nend_header\n\n123");
+    assert_fails("$GLINT bake --mesh odd.ply -o no.c", "its data begin with the byte 10");
     static const char *const wrong[] = {"s/3 1 2 3/3 1 2 4/", "s/3 1 2 3/3 1 2 -1/", "s/3 1 2 3/3 1 2 999999/"};
     write_text("whole.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
                             "property float z\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"

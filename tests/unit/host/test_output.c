@@ -175,7 +175,12 @@ static unsigned deeper(volatile unsigned *above)
 static void run_out_of_stack_beside_an_open_file(void)
 {
     const struct rlimit no_core = {0, 0};
+    struct rlimit stack;
     setrlimit(RLIMIT_CORE, &no_core);
+    getrlimit(RLIMIT_STACK, &stack);
+    stack.rlim_cur =
+        stack.rlim_max < 8 << 20 ? stack.rlim_max : 8 << 20; /* where it is unlimited, memory would run out */
+    setrlimit(RLIMIT_STACK, &stack);
     signal(SIGSEGV, SIG_DFL); /* not a sanitizer's */
     stop_at_signals();
     output_open("out/deep");
