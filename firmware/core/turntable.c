@@ -144,6 +144,7 @@ void turntable_stop(struct turntable *turntable)
 {
     join(turntable);
     turntable->in_frame = false;
+    turntable->strip = 0; /* the next frame's first; those behind are the other core's */
     while (!pieces_are_sent(&turntable->pieces, turntable->pieces.added))
         ;
 }

@@ -37,7 +37,7 @@ static const char words[] =
     " alignas alignof and and_eq asm auto bitand bitor bool break case catch char class co_await co_return "
     "co_yield compl concept const const_cast consteval constexpr constinit continue decltype default delete "
     "do double dynamic_cast else enum explicit export extern false float for friend goto if inline int linux "
-    "long main mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+    "long main mutable namespace new noexcept not not_eq NULL nullptr operator or or_eq private protected public "
     "register reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast "
     "struct switch template this thread_local throw true try typedef typeid typename typeof typeof_unqual "
     "union unix unsigned using virtual void volatile while xor xor_eq ";
@@ -65,7 +65,7 @@ const char *parse_c_name(const struct argp_state *state, const char *text)
         refuse(state, "--name: '%s' has a meaning in C or C++; choose another", text);
     if (is_c_library_name(text))
         refuse(state, "--name: '%s' is a name of the C library, which compilers know; choose another", text);
-    if (strncasecmp(text, "glint_", 6) == 0)
+    if (strncasecmp(text, "glint_", 6) == 0 || strcasecmp(text, "glint") == 0)
         refuse(state, "--name: '%s' may be a name of glint.h; choose another", text);
     return text;
 }

@@ -80,7 +80,7 @@ struct relief relief_coin(double x, double y, double pixel, const double body[3]
     const double *metal = body ? body : gold;
     struct relief coin = {
         .05 * r * r, {metal[0], metal[1], metal[2]}, 1, coverage(r - coin_radius, pixel)}; /* the field is hollow */
-    const double soft = fmax(.012, 1.5 * pixel);
+    const double soft = fmin((coin_radius - rim_radius) / 2, fmax(.012, 1.5 * pixel));     /* else the rim has a step */
     double relief = fmax(beads(x, y), .05 * rise(r - rim_radius + soft, soft * 2));
     relief -= .03 * rise(r - coin_radius + 2 * soft, 2 * soft) * (r > rim_radius);
     if (r < .78)

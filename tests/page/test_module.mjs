@@ -12,7 +12,7 @@ import { ball, clothed, gltf, meshes, objs, ring, stl } from './meshes.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const [folder, glint] = process.argv.slice(2)
-const { Engine, lists, namedBy, readPng, commandLine, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, lists, namedBy, readPng, commandLine, stateOfFragment, stateOfWords, together, whiteName, wordsOf } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))
 const command = new Command(glint)
 const [models, formats, paths, materials, scenes] = ['--model', '--format', '--path', '--material', '--scene'].map(option => command.choices(option))
@@ -116,7 +116,7 @@ run([
     ['every built-in scene is the command\'s, at several sizes', () => {
         const engine = new Engine(program)
         for (const scene of scenes)
-            for (const size of ['320x240', '240x240', '135x240', '61x47', '1x1'])
+            for (const size of ['320x240', '240x240', '135x240', '61x47', '39x38', '20x58', '1x1']) // 39 and 20: where a step of a height, or a question about it, stood at a pixel's corner
                 same(engine, [`--scene=${scene}`, `--size=${size}`])
     }],
     ['the teapot is the command\'s, by every path that draws meshes, and as it turns from what was kept', () => {
@@ -343,6 +343,7 @@ run([
         const textured = { materials: [{ pbrMetallicRoughness: { baseColorTexture: { index: 0 } } }], textures: [{ source: 0 }] }
         for (const [bytes, sentence] of [[gltf([part], { ...textured, placed: [{ scale: [1, -1, 1] }] }, [png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 9 })]), /mirrored parts/],
             [gltf([part], textured, [Buffer.from('\xff\xd8\xff\xe0 and more', 'latin1')]), /its texture 1: this is a JPEG, not a PNG/], [gltf([part], textured, [png({ width: 4, height: 4, type: 0, depth: 16, sample: () => 9 })]), /16 bits a sample/],
+            [gltf([part], { materials: [{ pbrMetallicRoughness: { baseColorFactor: [1, .2] } }] }), /damaged/],
             [gltf([part, { ...part, uv: undefined }], { materials: [{}] }), /parts of different kinds/], [gltf([part], { materials: [{}], extensionsRequired: ['KHR_draco_mesh_compression'] }), /needs KHR_draco/],
             [Buffer.from('{"buffers":[{"uri":"a.bin","byteLength":9}]}'), /names other files/], [Buffer.from('glTF nothing more'), /damaged/], [gltf([part], { materials: [{}] }).subarray(0, 900), /damaged/]]) {
             const said = refusal(() => engine.addMesh('wrong.glb', new Uint8Array(bytes)))
@@ -358,8 +359,10 @@ run([
             engine.addMesh('a.stl', bytes)
             return refusal(() => engine.draw(['--mesh=a.stl', '--size=20x20', ...more]))
         }
+        const asPassedOn = Buffer.alloc(200) // begins as the page's own numbers of a glTF
+        asPassedOn.writeDoubleLE(20260001)
         const part = 'a.stl: this is not a whole binary STL; export the mesh as one, or use glint render --mesh'
-        for (const bytes of [Buffer.alloc(0), whole.subarray(0, 83), whole.subarray(0, 200), Buffer.concat([whole, Buffer.of(0)]), Buffer.from('solid a\n'.repeat(30))])
+        for (const bytes of [Buffer.alloc(0), whole.subarray(0, 83), whole.subarray(0, 200), Buffer.concat([whole, Buffer.of(0)]), Buffer.from('solid a\n'.repeat(30)), asPassedOn])
             equal(says(bytes), part, `${bytes.length} bytes`)
         equal(says(stl([])), 'a.stl: has no triangles; name another mesh', 'none')
         const many = stl(Array.from({ length: 65535 }, (_, i) => [[i, 0, 0], [i, 1, 0], [i, 0, 1]]))
@@ -457,6 +460,8 @@ run([
             'full-gloss.png,full-gloss-2.png,full-gloss-3.png', 'names beside the user\'s')
         const words = ['--scene=coin', '--size=64x48', '-n60', '--clamp-peak', '--dither', '--light=-1,1,1', '--point=1,2,3,4']
         equal(wordsOf(stateOfWords(words)).sort().join(' '), [...words].sort().join(' '), 'there and back')
+        const odd = new Engine(program), { words: two, model } = (state => ({ words: wordsOf(state), model: state.model }))(stateOfFragment('scene=coin&model=msh%00--grain%3D<b>%00--grain%3Dbrushed'))
+        check(!model.includes('\0') && refusal(() => odd.draw(two)).startsWith('--model: unknown model'), 'a link\'s word that ends before its end')
         equal(commandLine('glint render', ['--height=my map.png', '-n60']), 'glint render \'--height=my map.png\' -n60', 'quoted')
     }],
     ['the page has the module, deflated, and stays under 500 KB', () => {

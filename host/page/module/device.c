@@ -40,7 +40,8 @@ const uint8_t *page_device_material(void)
 const uint8_t *page_device_map(void)
 {
     static struct baked *baked;
-    baked_free(baked);
+    if (baked)
+        baked_free(baked);
     baked = bake(page_state()->scene, BAKE_INT8, 0);
     return (const uint8_t *)baked->words; /* WebAssembly is little-endian, as the wire is */
 }

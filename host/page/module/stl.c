@@ -220,7 +220,7 @@ struct soup *import_soup(const char *path, bool textures, const char *allowed)
     const uint8_t *stl = files_mesh(path, &len);
     if (!stl)
         fail("%s: this mesh is not here; drop or choose the file", path);
-    if (gltf_is(stl, len))
+    if ((ends_in(path, ".gltf") || ends_in(path, ".glb")) && gltf_is(stl, len))
         return gltf_soup(path, (const void *)stl, textures);
     if (ends_in(path, ".obj"))
         return obj_of(path, stl, len, textures);

@@ -105,7 +105,10 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
     }
     const bases: number[][] = []
     const materials = [...used.map(i => json.materials?.[i] ?? damaged()), {}].map(({ pbrMetallicRoughness: pbr = {}, extensions }: Material) => {
-        const base = (pbr.baseColorFactor ?? [1, 1, 1]).slice(0, 3).map(fround), look = pictureOf(pbr.metallicRoughnessTexture), picture = pictureOf(pbr.baseColorTexture)
+        const factor = pbr.baseColorFactor ?? [1, 1, 1, 1]
+        if (factor.length !== 4 || !factor.every(Number.isFinite))
+            damaged()
+        const base = factor.slice(0, 3).map(fround), look = pictureOf(pbr.metallicRoughnessTexture), picture = pictureOf(pbr.baseColorTexture)
         const texture = json.textures?.[pbr.baseColorTexture?.index ?? -1], sampler = json.samplers?.[texture?.sampler ?? -1] ?? {}
         const [metallic, rough] = [pbr.metallicFactor ?? 1, pbr.roughnessFactor ?? 1].map(fround).map(within)
         bases.push(base)

@@ -111,6 +111,7 @@ export function stateOfFragment(fragment: string): State {
         try {
             text = decodeURIComponent(text)
         } catch { /* a cut link: as it is */ }
+        text = text.replaceAll('\0', '\ufffd') // which ends a word on its way to the module
         if (lightKinds.includes(name as LightKind))
             state.lights.push({ kind: name as LightKind, text })
         else if (Object.hasOwn(options, name))

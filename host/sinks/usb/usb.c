@@ -209,7 +209,7 @@ static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gu
         const struct glint_box box = {0, (uint16_t)y, frame->width, left < lines ? left : lines};
         const size_t bytes = gud_box_bytes(usb->choice.format, &box);
         gud_box_pack(usb->choice.format, frame, &box, data);
-        fault = send_pieces(usb, &(struct piece){box, false, bytes, bytes, data}, 1, true, problem);
+        fault = send_pieces(usb, &(struct piece){box, false, bytes, bytes, data}, 1, !usb->full_update, problem);
         if (!fault) {
             fault = usb_bulk_wait(&usb->port);
             if (fault)

@@ -166,16 +166,21 @@ static void a_stop_waits_for_the_other_core_and_the_bus(void **state)
 {
     (void)state;
     struct glint_pose pose;
-    start(&two_cores);
-    demo_pose(&pose, 0, WIDTH);
-    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
-    turntable_step(&turntable);
-    assert_true(other.is_forked);
-    turntable_stop(&turntable);
-    assert_false(other.is_forked);
-    assert_false(turntable.in_frame);
-    assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
-    run_frames(3);
+    for (unsigned drawn = 1; drawn < LOWER_Y / TURNTABLE_LINES; drawn++) {
+        start(&two_cores);
+        demo_pose(&pose, 0, WIDTH);
+        assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
+        while (turntable.line < drawn * TURNTABLE_LINES) {
+            turntable_step(&turntable);
+            end_flush();
+        }
+        assert_true(other.is_forked);
+        turntable_stop(&turntable);
+        assert_false(other.is_forked);
+        assert_false(turntable.in_frame);
+        assert_int_equal(turntable_step(&turntable), TURNTABLE_DONE);
+        run_frames(3);
+    }
 }
 
 static void send_all(void *unused)

@@ -302,6 +302,8 @@ static void a_table_that_cannot_be_is_refused(void **state)
     }
     assert_refused("$GLINT table --raw --name shine", "--name is for C source");
     assert_refused("$GLINT table --name glint_msh", "--name: 'glint_msh' may be a name of glint.h");
+    assert_refused("$GLINT table --name GLINT", "--name: 'GLINT' may be a name of glint.h");
+    assert_refused("$GLINT table --name NULL", "--name: 'NULL' has a meaning in C or C++");
     assert_refused("$GLINT table --name shine --raw", "--name is for C source");
     assert_refused("$GLINT table --of x", "--of: unknown argument 'x'; choose from c, t");
     assert_refused("$GLINT table shine.h", "unexpected argument 'shine.h'; name the file by -o");
