@@ -267,7 +267,7 @@ enum relight_step relight_step(struct relight *relight)
         return RELIGHT_BUS_FAILED;
     relight->waiting = relight->pixels[relight->buffer] + relight->seen.first;
     relight->waiting_count = relight->seen.count;
-    relight->is_waiting = true; /* from here on an interrupt may send it */
+    relight->is_waiting = true;                      /* from here on an interrupt may send it */
     if (!relight->is_sending && relight->is_waiting) /* else an interrupt has sent it */
         send_waiting(relight);
     relight->buffer = !relight->buffer;
