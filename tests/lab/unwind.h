@@ -16,9 +16,10 @@ static struct {
     const volatile void *slots[UNWIND_SLOTS];
     uint32_t used[UNWIND_SLOTS / 2];
     unsigned count;
-    bool on;
     jmp_buf back;
 } unwind;
+/* In the thread that came in, and in no other: libFuzzer has one, whose memory is its own. */
+static _Thread_local bool unwind_on;
 static const char unwind_gone; /* stands for what was freed: a place that is not empty, so that the search goes on */
 
 static unsigned unwind_find(const volatile void *memory)
@@ -32,7 +33,7 @@ static unsigned unwind_find(const volatile void *memory)
 static void unwind_on_malloc(const volatile void *memory, size_t size)
 {
     (void)size;
-    if (!unwind.on || !memory || unwind.count == UNWIND_SLOTS / 2)
+    if (!unwind_on || !memory || unwind.count == UNWIND_SLOTS / 2)
         return;
     const unsigned i = unwind_find(memory);
     if (!unwind.slots[i])
@@ -42,7 +43,7 @@ static void unwind_on_malloc(const volatile void *memory, size_t size)
 
 static void unwind_on_free(const volatile void *memory)
 {
-    if (!unwind.on || !memory)
+    if (!unwind_on || !memory)
         return;
     const unsigned i = unwind_find(memory);
     if (unwind.slots[i])
@@ -51,7 +52,7 @@ static void unwind_on_free(const volatile void *memory)
 
 static void unwind_memory(void)
 {
-    unwind.on = false;
+    unwind_on = false;
     for (unsigned k = 0; k < unwind.count; k++) {
         const volatile void **slot = &unwind.slots[unwind.used[k]];
         if (*slot != &unwind_gone)
@@ -70,14 +71,14 @@ _Noreturn void __wrap__exit(int status);
 
 _Noreturn void __wrap_exit(int status)
 {
-    if (!unwind.on)
+    if (!unwind_on)
         __real_exit(status);
     longjmp(unwind.back, 1);
 }
 
 _Noreturn void __wrap__exit(int status)
 {
-    if (!unwind.on)
+    if (!unwind_on)
         __real__exit(status);
     longjmp(unwind.back, 1);
 }
@@ -102,7 +103,7 @@ static bool unwind_run(void (*body)(void *of), void *of)
         check(null);
     }
     stderr = null;
-    unwind.on = true;
+    unwind_on = true;
     const bool ends = setjmp(unwind.back) == 0;
     if (ends)
         body(of);
