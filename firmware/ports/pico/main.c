@@ -81,8 +81,10 @@ static void gud_display(void *context, bool on, uint8_t brightness)
     gud_panel_ops.display(context, on, brightness);
 }
 
+/* Of a host whose pixels arrive faster than they are drawn usb_poll returns late, or never. */
 static void gud_window(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
 {
+    board_alive();
     is_disturbed = true;
     gud_panel_ops.window(context, x, y, width, height);
 }

@@ -79,11 +79,12 @@ void board_say(const char *text)
     (void)text;
 }
 
+static uint32_t now_us, alive_us;
 void board_alive(void)
 {
+    alive_us = now_us;
 }
 
-static uint32_t now_us;
 uint32_t board_us(void)
 {
     return now_us;
@@ -240,6 +241,17 @@ static void draw_rectangle(void)
     gud_ops.end(&gud_panel, true);
 }
 
+/* For longer than the watchdog waits, one after the other and all in one poll: lines of one bit a pixel arrive faster than they are drawn. */
+static void draw_many_rectangles(void)
+{
+    enum { RECTANGLE_US = 30000 };
+    for (unsigned us = 0; us < 2 * 1000 * WATCHDOG_MS; us += RECTANGLE_US) {
+        draw_rectangle();
+        now_us += RECTANGLE_US;
+        assert_true(!gud.controller || gud_ops.busy(&gud_panel) || now_us - alive_us < 1000 * WATCHDOG_MS);
+    }
+}
+
 static void happen(unsigned event)
 {
     switch (event) {
@@ -274,12 +286,15 @@ static void happen(unsigned event)
     case 9:
         give_light();
         return;
+    case 11:
+        draw_many_rectangles();
+        return;
     default:
         is_suspended = false;
         gud_device_resume(&gud);
     }
 }
-enum { EVENTS = 11, QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
+enum { EVENTS = 12, QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
 
 /* After polls in which nothing happens. */
 static void check_owner(void)
@@ -367,6 +382,15 @@ static void a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_
     assert_int_equal(owner, DEMO);
 }
 
+static void a_host_that_draws_without_a_pause_does_not_starve_the_watchdog(void **unused)
+{
+    (void)unused;
+    static const unsigned events[] = {0, 1, EVENTS, 11, EVENTS, EVENTS + 1};
+    script = events;
+    run_main(3 * QUIET);
+    assert_int_equal(owner, GUD_HOST);
+}
+
 static void whatever_hosts_do_the_panel_is_its_owners(void **unused)
 {
     (void)unused;
@@ -392,6 +416,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown),
         cmocka_unit_test(a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_panel_back),
+        cmocka_unit_test(a_host_that_draws_without_a_pause_does_not_starve_the_watchdog),
         cmocka_unit_test(whatever_hosts_do_the_panel_is_its_owners),
         cmocka_unit_test(a_light_that_a_wrong_map_cannot_show_keeps_no_host_away),
     };
