@@ -171,6 +171,17 @@ run([
     judge.same(look(), screen, 'the lines that arrived')
     draws({ x: 30, y: 40, width: 9, height: 9 }, picture565(9, 9, 31), undefined, 'the next rectangle')
   }],
+  ['a host that ends a halt, or what is none, goes on with the next packet', () => {
+    for (const [i, packets] of [3, 2, 1, 4].entries()) {
+      check(host.clear_halt(1), 'ending no halt is refused')
+      draws({ x: 10 + i, y: 10, width: 32, height: packets }, picture565(32, packets, 60 + i), undefined, `${packets} packets without a halt`)
+    }
+    check(host.halt(1) && host.is_halted(1), 'it is not halted')
+    pico.run(() => false, 5)
+    check(!host.armed.has(1) && host.is_halted(1), 'it takes packets')
+    check(host.clear_halt(1) && !host.is_halted(1), 'the halt is not ended')
+    draws({ x: 5, y: 20, width: 60, height: 30 }, picture565(60, 30, 64), undefined, 'the rectangle after a halt')
+  }],
   ['a wrong LZ4 block is reported by the status and stays within its rectangle', () => {
     const rectangle = { x: 60, y: 60, width: 20, height: 20 }
     check(gud.buffer({ ...rectangle, length: 800, compressed: 40 }), 'the rectangle')
