@@ -106,3 +106,9 @@ const struct usb_device *usb_choose(const struct usb_found *found, const struct 
     }
     return NULL;
 }
+
+bool usb_may_pass(enum usb_attempt attempt, unsigned *denied)
+{
+    enum { DENIED_TRIES = 8 };
+    return attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++*denied < DENIED_TRIES);
+}

@@ -105,12 +105,11 @@ static void leave(struct light_sink *light)
     free(light);
 }
 
-/* NULL: `line` says why, and `*may_pass` whether it may still be plugged in. */
-static struct light_sink *try_open(const struct sink_wish *wish, char *line, size_t size, bool *may_pass)
+/* NULL: `line` and `*attempt` say why. */
+static struct light_sink *try_open(const struct sink_wish *wish, char *line, size_t size, enum usb_attempt *attempt)
 {
     static struct usb_found found;
     struct usb_options any = usb_options;
-    enum usb_attempt attempt;
     struct light_sink *light = allocate(1, sizeof *light);
     const int error = libusb_init(&light->port.libusb);
     if (error)
@@ -120,8 +119,7 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     light->port.stoppable = true;
     any.detach = true; /* the kernel's driver may keep the display */
     usb_find(light->port.libusb, &any, 0, &found);
-    const struct usb_device *device = usb_choose(&found, &any, line, size, &attempt);
-    *may_pass = !device && attempt == USB_TRY_AGAIN;
+    const struct usb_device *device = usb_choose(&found, &any, line, size, attempt);
     bool good = device && find_interface(light, device, wish, line, size);
     usb_found_free(&found);
     light->is_demo = wish->demo;
@@ -138,12 +136,12 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
 static struct sink *open_shader(const struct sink_wish *wish)
 {
     char line[400];
-    bool may_pass;
+    enum usb_attempt attempt;
     struct light_sink *light;
-    while (!(light = try_open(wish, line, sizeof line, &may_pass))) {
+    for (unsigned denied = 0; !(light = try_open(wish, line, sizeof line, &attempt));) {
         if (stream_stopped())
             return NULL;
-        if (!usb_options.wait || !may_pass)
+        if (!usb_options.wait || !usb_may_pass(attempt, &denied))
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
         usb_pause_ms(WAIT_MS);
