@@ -32,20 +32,6 @@ function refused(done, status, what) {
   equal(gud.status(), status, `the status after ${what}`)
 }
 
-// The emulator leaves it to us.
-function suspend() {
-  const { usb } = host
-  usb.sieStatus |= 1 << 4
-  usb.sieStatusUpdated()
-  pico.run(() => false, 0.001)
-  usb.sieStatus &= ~(1 << 4)
-  usb.sieStatusUpdated()
-}
-function resume() {
-  host.usb.sieStatus |= 1 << 11
-  host.usb.sieStatusUpdated()
-}
-
 let frame_ms
 run([
   ['it enumerates as what the kernel\'s GUD driver looks for, with a name and a serial number', () => {
@@ -204,10 +190,10 @@ run([
     equal(gud.brightness(), 55, 'the property, which nobody has set')
   }],
   ['suspended it is dark, and picture and brightness are back when the host resumes', () => {
-    suspend()
+    host.suspend()
     check(look().every((level) => level === 0), 'the panel shows something')
     equal(pico.brightness(), 0, 'percent of the time that it shines')
-    resume()
+    host.resume()
     judge.same(look(), screen, 'the panel')
     check(Math.abs(pico.brightness() - 30) < 0.5, 'the brightness is another one')
   }],

@@ -92,6 +92,19 @@ export class UsbHost {
     if (t.stalled) return null
     return out ? Buffer.alloc(0) : t.data
   }
+  // The emulator leaves these to us.
+  suspend() {
+    const { usb } = this
+    usb.sieStatus |= 1 << 4
+    usb.sieStatusUpdated()
+    this.pico.run(() => false, 0.001)
+    usb.sieStatus &= ~(1 << 4)
+    usb.sieStatusUpdated()
+  }
+  resume() {
+    this.usb.sieStatus |= 1 << 11
+    this.usb.sieStatusUpdated()
+  }
   // Halts a bulk endpoint, as hosts do in tests only; and ends its halt, as they do after a STALL or a transfer that they gave up.
   halt(endpoint) { return this.control(0x02, 3, 0, endpoint, Buffer.alloc(0)) !== null }
   clear_halt(endpoint) { return this.control(0x02, 1, 0, endpoint, Buffer.alloc(0)) !== null }
