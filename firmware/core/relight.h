@@ -34,7 +34,7 @@ struct relight {
     uint8_t buffer;              /* 0 or 1: that line's; they take turns */
     bool in_frame;               /* between relight_frame and the frame's last line */
     volatile uint8_t is_sending; /* yes or no: a line is on its way; as in gud_panel.h no bool */
-    volatile bool is_waiting;    /* another is shaded, to follow at once */
+    volatile uint8_t is_waiting; /* nor here: another is shaded, to follow at once */
     const uint16_t *volatile waiting;
     volatile uint16_t waiting_count;
 };

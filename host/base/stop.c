@@ -2,6 +2,7 @@
 #include "base/stop.h"
 
 #include <errno.h>
+#include <poll.h>
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,10 +76,13 @@ void stop_at_signals(void)
     }
 }
 
+/* A terminal that is held up takes nothing. */
 static void say_last_words(void)
 {
+    enum { PATIENCE_MS = 1000 };
     const char *words = last_words;
-    if (words && write(STDOUT_FILENO, words, strlen(words)) < 0)
+    struct pollfd out = {.fd = STDOUT_FILENO, .events = POLLOUT};
+    if (words && poll(&out, 1, PATIENCE_MS) > 0 && write(STDOUT_FILENO, words, strlen(words)) < 0)
         return; /* there is nothing more to do */
 }
 

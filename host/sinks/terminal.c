@@ -166,7 +166,7 @@ static void close_terminal(struct sink *sink)
 {
     struct terminal *terminal = (struct terminal *)sink;
     stop_last_words(NULL);
-    if (terminal->started && write(STDOUT_FILENO, show_end, sizeof show_end - 1) < 0)
+    if (terminal->started && sink_write_error(STDOUT_FILENO, show_end, sizeof show_end - 1) != 0)
         warn("%s: its cursor could not be restored; run `reset`", sink->name);
     chafa_canvas_unref(terminal->canvas);
     chafa_symbol_map_unref(terminal->symbols);

@@ -14,7 +14,7 @@ enum { TICK_MS = 100, PATIENCE_MS = 1000 };
 
 /* Writes only what is taken at once, so that no write blocks and a signal is noticed within TICK_MS: once a pipe polls as
  * writable it has room for PIPE_BUF bytes. A signal leaves the rest PATIENCE_MS, counted from the last byte taken. */
-enum sink_result sink_write(int descriptor, const char *name, const void *bytes, size_t count)
+int sink_write_error(int descriptor, const void *bytes, size_t count)
 {
     const uint8_t *from = bytes;
     unsigned waited_ms = 0;
@@ -26,7 +26,7 @@ enum sink_result sink_write(int descriptor, const char *name, const void *bytes,
         if (polled == 0) {
             waited_ms = stream_stopped() ? waited_ms + TICK_MS : 0;
             if (waited_ms > PATIENCE_MS)
-                return SINK_INTERRUPTED;
+                return EINTR;
             continue;
         }
         const size_t left = count - done;
@@ -35,8 +35,16 @@ enum sink_result sink_write(int descriptor, const char *name, const void *bytes,
             done += (size_t)written;
             waited_ms = 0;
         } else if (errno != EINTR && errno != EAGAIN) {
-            fail("%s: could not be written: %s", name, strerror(errno));
+            return errno;
         }
     }
-    return SINK_SENT;
+    return 0;
+}
+
+enum sink_result sink_write(int descriptor, const char *name, const void *bytes, size_t count)
+{
+    const int error = sink_write_error(descriptor, bytes, count);
+    if (error && error != EINTR)
+        fail("%s: could not be written: %s", name, strerror(error));
+    return error ? SINK_INTERRUPTED : SINK_SENT;
 }

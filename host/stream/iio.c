@@ -12,6 +12,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/parse.h"
+#include "base/stop.h"
 #include "tilt.h"
 
 static const char usual_folder[] = "/sys/bus/iio/devices";
@@ -31,7 +32,7 @@ bool iio_is_named(const char *lights)
     return strcmp(lights, "iio") == 0 || strncmp(lights, "iio:", 4) == 0;
 }
 
-/* The first line of a file in the folder, without its end; NULL: there is none. */
+/* The first line of a file in the folder, without its end; NULL: there is none, or errno is EINTR. */
 static char *read_file(const char *folder, const char *name)
 {
     char *path, *line = NULL;
@@ -42,10 +43,13 @@ static char *read_file(const char *folder, const char *name)
     free(path);
     if (!file)
         return NULL;
+    errno = 0;
     const ssize_t length = getline(&line, &room, file);
+    const int error = errno;
     fclose(file);
     if (length < 0) {
         free(line);
+        errno = error;
         return NULL;
     }
     line[strcspn(line, "\r\n")] = '\0';
@@ -164,8 +168,12 @@ void iio_light(struct iio *iio, double direction[3])
     int16_t sample[3];
     int32_t to_light[3];
     for (unsigned i = 0; i < 3; i++) {
-        if (!read_axis(iio, i, &g[i]))
-            fail("%s: cannot be read any more: was the sensor removed?", iio->folder);
+        while (!read_axis(iio, i, &g[i])) {
+            if (errno != EINTR)
+                fail("%s: cannot be read any more: was the sensor removed?", iio->folder);
+            if (stream_stopped())
+                return;
+        }
         g[i] *= iio->scale[i] / one_g;
     }
     for (unsigned i = 0; i < 3; i++) {

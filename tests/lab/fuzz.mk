@@ -7,6 +7,8 @@ $(LAB_FUZZERS): $(BUILD)/tests/lab/fuzz_%: tests/lab/fuzz_%.c tests/lab/fuzz.h t
 		host/sinks/panel/virtual_panel.c host/sinks/panel/virtual_panel.h $(wildcard host/mesh/*.[ch] host/base/*.[ch])
 	LAB_BUILD=$(BUILD) tests/lab/fuzzer $* $@
 
+$(BUILD)/tests/lab/fuzz_imu: $(addprefix firmware/ports/pico/,hand.c hand.h board.h boards.def) $(wildcard tests/lab/sdk/hardware/*.h)
+
 # These are linked with the rest of the host.
 LAB_HOST_FUZZERS = $(addprefix $(BUILD)/tests/lab/fuzz_,png svg import stl lights words checkpoint)
 $(LAB_HOST_FUZZERS): tests/lab/unwind.h tests/lab/fuzz_child.h host/page/module/stl.c $(HOST_ARCHIVES)

@@ -43,6 +43,20 @@ static void a_halted_endpoint_is_cleared_and_the_picture_sent_again(void **state
     assert_recovers("", "the picture's data: it refuses (STALL); reinitialising it");
 }
 
+static void a_display_of_whole_frames_gets_no_rectangle_after_a_fault_either(void **state)
+{
+    (void)state;
+    trouble(BULK_STALL, false);
+    struct gud_descriptor d = descriptor();
+    d.flags = GUD_FLAG_FULL_UPDATE;
+    set_descriptor(d);
+    usb_display_be(&display, &config);
+    assert_recovers("", "the picture's data: it refuses (STALL); reinitialising it");
+    for (size_t i = 0; i < display.seen->request_count; i++)
+        assert_int_not_equal(display.seen->requests[i], GUD_SET_BUFFER);
+    assert_int_equal(display.seen->protocol_errors, 0);
+}
+
 /* In parts that are more than half of what 16 bits count. */
 static void a_tall_picture_is_sent_again_to_its_end(void **state)
 {
@@ -126,6 +140,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_halted_endpoint_is_cleared_and_the_picture_sent_again),
+        cmocka_unit_test(a_display_of_whole_frames_gets_no_rectangle_after_a_fault_either),
         cmocka_unit_test(a_tall_picture_is_sent_again_to_its_end),
         cmocka_unit_test(an_endpoint_that_halts_again_and_again_ends_the_stream),
         cmocka_unit_test(a_display_that_takes_no_data_is_reinitialised),

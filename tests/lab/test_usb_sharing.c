@@ -30,6 +30,30 @@ static void a_display_without_permission_is_told_apart_from_none(void **state)
                 "permission denied; install glint's udev rule");
 }
 
+/* A device that has just been plugged in is there before udev lets the user in. */
+static void wait_gives_udev_a_moment_and_no_longer(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *options, *end;
+        int status;
+    } ways[] = {{"--frames 1", "", 0}, {"--shade device", "it does not shade by itself", 1}};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        char command[300];
+        usb_displays_unplug(NULL);
+        honest();
+        usb_display_be(&display, &config);
+        snprintf(command, sizeof command, "chmod 755 .; setpriv --reuid 65534 --clear-groups " STREAM OURS "%s --wait",
+                 ways[i].options);
+        assert_ends(command, 1, "permission denied; install glint's udev rule");
+        snprintf(command, sizeof command,
+                 "(sleep 1; chmod 666 /dev/bus/usb/001/*) & setpriv --reuid 65534 --clear-groups " STREAM OURS
+                 "%s --wait",
+                 ways[i].options);
+        assert_ends(command, ways[i].status, ways[i].end);
+    }
+}
+
 static void the_kernels_display_is_taken_only_by_detach_and_given_back(void **state)
 {
     (void)state;
@@ -231,6 +255,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(another_programs_display_is_left_to_it),
         cmocka_unit_test(a_display_without_permission_is_told_apart_from_none),
+        cmocka_unit_test(wait_gives_udev_a_moment_and_no_longer),
         cmocka_unit_test(the_kernels_display_is_taken_only_by_detach_and_given_back),
         cmocka_unit_test(of_two_displays_one_is_to_be_named),
         cmocka_unit_test(a_device_whose_interface_is_not_guds_is_asked_only_by_name),

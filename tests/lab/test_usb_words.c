@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * What USB displays say of themselves that cannot be, or will not say, and what the user reads of it. */
+#include "light_protocol.h"
 #include "usb_run.h"
 
 /* ---- what it says of itself ---- */
@@ -140,6 +141,21 @@ static void a_request_without_answer_ends_after_its_time(void **state)
     assert_says("its connectors: it does not answer");
 }
 
+/* Not that it does not shade by itself, which nobody knows. */
+static void a_display_that_does_not_say_whether_it_shades_is_told_apart(void **state)
+{
+    (void)state;
+    honest();
+    config.trouble = CONTROL_SILENT;
+    config.trouble_ms = 6000;
+    config.trouble_request = LIGHT_GET_DESCRIPTOR;
+    usb_display_be(&display, &config);
+    assert_fails(STREAM OURS "--shade device", "asked whether it shades by itself: it does not answer");
+    honest();
+    usb_display_be(&display, &config);
+    assert_fails(STREAM OURS "--shade device", "it does not shade by itself; leave out --shade");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -150,6 +166,7 @@ int main(void)
         cmocka_unit_test(a_huge_max_buffer_and_long_lists_do_no_harm),
         cmocka_unit_test(a_refused_request_is_told_with_its_status),
         cmocka_unit_test(a_request_without_answer_ends_after_its_time),
+        cmocka_unit_test(a_display_that_does_not_say_whether_it_shades_is_told_apart),
     };
     return cmocka_run_group_tests_name("usb words", tests, scratch_make, clean);
 }

@@ -86,6 +86,16 @@ await run([
     equal(figures.frame_bytes.mean, 16, 'bytes a frame')
     check(existsSync('/dev/fb0'), 'the kernel\'s driver has lost the display')
   }],
+  ['a second program reads that another one uses it', async () => {
+    const words = [glint, 'stream', '--height=tests/data/rockwall-height.png', `--size=${width}x${height}`, '--fps=0', '--to=usb', '--shade=device']
+    const other = board.start_command(words)
+    try {
+      await serve(() => pico.uart.endsWith('lights\r\n') || other.status !== undefined, 'glint stream')
+      const text = await command(words, 1)
+      check(text.includes(': another program uses it; end that first'), text)
+    } finally { other.child.kill('SIGINT') }
+    await serve(() => other.status !== undefined, 'the end of glint stream')
+  }],
   ['the kernel\'s driver has the display back afterwards', async () => {
     await serve(() => existsSync('/dev/fb0'), '/dev/fb0')
     const pixels = picture565(width, height, 78), wanted = shown565(pixels)

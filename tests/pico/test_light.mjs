@@ -95,6 +95,15 @@ run([
     check(gud.set(0x64, Buffer.of(0)), 'switching its display off')
     judge.same(look(), before, 'the picture')
   }],
+  ['suspended it is dark, and the same picture is back when the host resumes', () => {
+    const before = look()
+    host.suspend()
+    pico.run(() => false, 5)
+    check(look().every((level) => level === 0) && wires.level('backlight') === 0, 'the panel shows something')
+    host.resume()
+    pico.run(() => false, 5)
+    judge.same(look(), before, 'the picture')
+  }],
   ['a map with an invalid normal is refused as a whole', () => {
     const wrong = Buffer.from(map)
     wrong.writeUInt32LE(0x7fff7f7f, 4 * 1234)

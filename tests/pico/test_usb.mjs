@@ -32,20 +32,6 @@ function refused(done, status, what) {
   equal(gud.status(), status, `the status after ${what}`)
 }
 
-// The emulator leaves it to us.
-function suspend() {
-  const { usb } = host
-  usb.sieStatus |= 1 << 4
-  usb.sieStatusUpdated()
-  pico.run(() => false, 0.001)
-  usb.sieStatus &= ~(1 << 4)
-  usb.sieStatusUpdated()
-}
-function resume() {
-  host.usb.sieStatus |= 1 << 11
-  host.usb.sieStatusUpdated()
-}
-
 let frame_ms
 run([
   ['it enumerates as what the kernel\'s GUD driver looks for, with a name and a serial number', () => {
@@ -171,6 +157,17 @@ run([
     judge.same(look(), screen, 'the lines that arrived')
     draws({ x: 30, y: 40, width: 9, height: 9 }, picture565(9, 9, 31), undefined, 'the next rectangle')
   }],
+  ['a host that ends a halt, or what is none, goes on with the next packet', () => {
+    for (const [i, packets] of [3, 2, 1, 4].entries()) {
+      check(host.clear_halt(1), 'ending no halt is refused')
+      draws({ x: 10 + i, y: 10, width: 32, height: packets }, picture565(32, packets, 60 + i), undefined, `${packets} packets without a halt`)
+    }
+    check(host.halt(1) && host.is_halted(1), 'it is not halted')
+    pico.run(() => false, 5)
+    check(!host.armed.has(1) && host.is_halted(1), 'it takes packets')
+    check(host.clear_halt(1) && !host.is_halted(1), 'the halt is not ended')
+    draws({ x: 5, y: 20, width: 60, height: 30 }, picture565(60, 30, 64), undefined, 'the rectangle after a halt')
+  }],
   ['a wrong LZ4 block is reported by the status and stays within its rectangle', () => {
     const rectangle = { x: 60, y: 60, width: 20, height: 20 }
     check(gud.buffer({ ...rectangle, length: 800, compressed: 40 }), 'the rectangle')
@@ -193,10 +190,10 @@ run([
     equal(gud.brightness(), 55, 'the property, which nobody has set')
   }],
   ['suspended it is dark, and picture and brightness are back when the host resumes', () => {
-    suspend()
+    host.suspend()
     check(look().every((level) => level === 0), 'the panel shows something')
     equal(pico.brightness(), 0, 'percent of the time that it shines')
-    resume()
+    host.resume()
     judge.same(look(), screen, 'the panel')
     check(Math.abs(pico.brightness() - 30) < 0.5, 'the brightness is another one')
   }],

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// A USB host on the emulated controller: resets, control transfers, bulk OUT, at full speed's pace.
-import { check } from './tap.mjs'
+// A USB host on the emulated controller: resets, control transfers, bulk OUT, at full speed's pace. Packets of bulk endpoints are
+// numbered 0 and 1 in turn, from 0 after a reset or a halt: a device that waits for the other one takes it for the last one again.
+import { check, equal } from './tap.mjs'
 
 const PACKET_US = 1000 / 19 // 19 packets of 64 bytes a millisecond: the most that full speed carries
-const STALL = 1 << 11, EP0_IN = 0x80, EP0_OUT = 0x84
+const STALL = 1 << 11, AVAILABLE = 1 << 10, DATA1 = 1 << 13, EP0_IN = 0x80, EP0_OUT = 0x84, OUT_END = 0x100
 
 export class UsbHost {
   constructor(pico) {
@@ -11,6 +12,8 @@ export class UsbHost {
     this.usb = pico.chip.usbCtrl
     this.armed = new Map() // OUT endpoints that wait for a packet
     this.queues = new Map() // what is to be sent to them
+    this.wanted = new Map() // the numbers that bulk endpoints wait for
+    this.next = new Map() // and those that they get
     this.pulled_up = false
     const { usb } = this
     usb.onUSBEnabled = () => { this.pulled_up = true }
@@ -20,8 +23,16 @@ export class UsbHost {
     const plain = usb.DPRAMUpdated.bind(usb)
     usb.DPRAMUpdated = (offset, value) => {
       if ((offset === EP0_IN || offset === EP0_OUT) && value & STALL && this.transfer) this.transfer.stalled = true
+      if (offset > EP0_OUT && offset < OUT_END && offset % 8 === 4) this.told((offset - EP0_OUT) / 8, value)
       plain(offset, value)
     }
+  }
+  // Of a bulk endpoint, before the emulator knows, which forgets at once that a buffer is available.
+  told(endpoint, value) {
+    if (value & STALL) this.armed.delete(endpoint)
+    if (!(value & AVAILABLE)) return
+    check(!this.armed.has(endpoint), `endpoint ${endpoint} waits for a packet twice`)
+    this.wanted.set(endpoint, value & DATA1 ? 1 : 0)
   }
   feed(endpoint) {
     const queue = this.queues.get(endpoint)
@@ -29,6 +40,11 @@ export class UsbHost {
     const packet = queue.shift()
     check(packet.length <= this.armed.get(endpoint), `endpoint ${endpoint} waits for ${this.armed.get(endpoint)} bytes, not ${packet.length}`)
     this.armed.delete(endpoint)
+    if (endpoint) {
+      const number = this.next.get(endpoint) ?? 0
+      equal(this.wanted.get(endpoint), number, `endpoint ${endpoint}: the packet's number`)
+      this.next.set(endpoint, 1 - number)
+    }
     this.usb.endpointReadDone(endpoint, packet, endpoint ? PACKET_US : undefined)
   }
   push(endpoint, packet) {
@@ -50,6 +66,7 @@ export class UsbHost {
   reset() {
     this.armed.clear()
     this.queues.clear()
+    this.next.clear()
     this.was_reset = false
     this.usb.resetDevice()
     check(this.pico.run(() => this.was_reset, 100), 'the bus reset is not taken')
@@ -58,6 +75,7 @@ export class UsbHost {
   // A control transfer; data to send, or how many bytes to get. null: STALL.
   control(type, request, value, index, data) {
     const out = !(type & 0x80)
+    if (type === 0x02 && request === 1) this.next.delete(index) // the end of a halt
     const length = out ? data?.length ?? 0 : data
     const setup = Buffer.alloc(8)
     setup.writeUInt8(type, 0); setup.writeUInt8(request, 1); setup.writeUInt16LE(value, 2); setup.writeUInt16LE(index, 4)
@@ -74,6 +92,23 @@ export class UsbHost {
     if (t.stalled) return null
     return out ? Buffer.alloc(0) : t.data
   }
+  // The emulator leaves these to us.
+  suspend() {
+    const { usb } = this
+    usb.sieStatus |= 1 << 4
+    usb.sieStatusUpdated()
+    this.pico.run(() => false, 0.001)
+    usb.sieStatus &= ~(1 << 4)
+    usb.sieStatusUpdated()
+  }
+  resume() {
+    this.usb.sieStatus |= 1 << 11
+    this.usb.sieStatusUpdated()
+  }
+  // Halts a bulk endpoint, as hosts do in tests only; and ends its halt, as they do after a STALL or a transfer that they gave up.
+  halt(endpoint) { return this.control(0x02, 3, 0, endpoint, Buffer.alloc(0)) !== null }
+  clear_halt(endpoint) { return this.control(0x02, 1, 0, endpoint, Buffer.alloc(0)) !== null }
+  is_halted(endpoint) { return this.control(0x82, 0, 0, endpoint, 2)[0] === 1 }
   // Bulk OUT; returns when the device took all.
   bulk(endpoint, bytes, ms = 1000) {
     for (let at = 0; at < bytes.length; at += 64) this.push(endpoint, new Uint8Array(bytes.subarray(at, at + 64)))

@@ -34,10 +34,9 @@ const char *framebuffer_layout(struct framebuffer *framebuffer, const struct fb_
         return "its pixels are not made up of red, green and blue";
     if (screen->xres < width || screen->yres < height)
         return "it has fewer pixels than the display; choose another --size";
-    /* 64 bits: 2^32 lines of 2^32 bytes do not overflow them by more than is compared here. */
     const uint64_t left = (uint64_t)screen->xoffset * (bits / 8), right = left + (uint64_t)width * (bits / 8);
     const uint64_t lines = (uint64_t)screen->yoffset + height; /* < 2^33 */
-    if (right > memory->line_length || lines * memory->line_length > memory->smem_len)
+    if (!memory->line_length || right > memory->line_length || lines > memory->smem_len / memory->line_length)
         return "its driver states less memory than the picture takes";
     *framebuffer = (struct framebuffer){.offset = (size_t)((uint64_t)screen->yoffset * memory->line_length + left),
                                         .bytes = memory->smem_len,

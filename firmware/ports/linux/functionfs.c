@@ -18,10 +18,11 @@
 #include "message.h"
 
 enum {
-    CHUNK_BYTES = 32768, /* of a read; a multiple of every packet size */
-    GRACE_MS = 50,       /* for bulk bytes that are under way when the next request arrives */
-    REPLUG_MS = 1000,    /* how often to look for a controller that went away */
-    INTERRUPT = SIGUSR2  /* ends a read */
+    CHUNK_BYTES = 32768,   /* of a read; a multiple of every packet size */
+    GRACE_MS = 50,         /* for bulk bytes that are under way when the next request arrives */
+    READS_UNDER_WAY = 128, /* of these at most: a host may send a few bytes at a time, and go on */
+    REPLUG_MS = 1000,      /* how often to look for a controller that went away */
+    INTERRUPT = SIGUSR2    /* ends a read */
 };
 
 static const struct usb_function *function;
@@ -150,10 +151,12 @@ static void wait_progress(long ms)
 }
 
 /* A host may ask for the next rectangle as soon as the controller has the last byte of this one, so this waits for bytes that
- * are under way. */
+ * are under way: 4 MB at most. */
 static void let_bulk_arrive(void)
 {
-    for (unsigned long before = reads - 1; configured && before != reads && function->expects(function->context);) {
+    unsigned long before = reads - 1;
+    for (unsigned i = 0; i < READS_UNDER_WAY && configured && before != reads && function->expects(function->context);
+         i++) {
         before = reads;
         wait_progress(GRACE_MS);
     }

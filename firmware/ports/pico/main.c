@@ -81,8 +81,10 @@ static void gud_display(void *context, bool on, uint8_t brightness)
     gud_panel_ops.display(context, on, brightness);
 }
 
+/* Of a host whose pixels arrive faster than they are drawn usb_poll returns late, or never. */
 static void gud_window(void *context, uint16_t x, uint16_t y, uint16_t width, uint16_t height)
 {
+    board_alive();
     is_disturbed = true;
     gud_panel_ops.window(context, x, y, width, height);
 }
@@ -188,8 +190,9 @@ static void begin_drawing(enum glint_err (*begin)(void))
 }
 
 static struct {
-    bool in_frame; /* lines of it are to be drawn */
-    bool is_shown; /* the display is on */
+    bool in_frame;    /* lines of it are to be drawn */
+    bool has_picture; /* a whole one */
+    bool is_shown;    /* the display is on */
 } drawn;
 
 /* The panel changes hands, and is dark until the next one has a picture. */
@@ -202,7 +205,7 @@ static void hand_over(enum owner to)
                                  "a computer gives the light",
                                  "a computer sends lights"};
     shown_abandon();
-    drawn.in_frame = drawn.is_shown = false;
+    drawn.in_frame = drawn.has_picture = drawn.is_shown = false;
     if (to != GUD_HOST)
         show(PANEL_OFF);
     else if (owner == LIGHT_HOST || owner == LIT_DEMO || light.was_enabled || is_missed)
@@ -246,7 +249,17 @@ static bool next_frame(void)
     return shown_next_light();
 }
 
-/* Some lines at most; the display goes on with the first whole frame. */
+/* The display goes on with the first whole picture. That of a program that shades is dark while its computer sleeps, or was unplugged from
+ * a board with power of its own, and is then as it was. */
+static void show_picture(void)
+{
+    const bool is_shown = drawn.has_picture && !(owner == LIGHT_HOST && usb_is_suspended());
+    if (is_shown != drawn.is_shown)
+        show(is_shown ? PANEL_BRIGHTEST : PANEL_OFF);
+    drawn.is_shown = is_shown;
+}
+
+/* Some lines at most. */
 static void draw(void)
 {
     if (drawn.in_frame && owner == LIGHT_HOST && !light_device_has_scene(&light)) { /* it is being replaced */
@@ -259,10 +272,8 @@ static void draw(void)
     light.is_drawing = owner == LIGHT_HOST && state != SHOWN_DONE;
     if (state == SHOWN_DRAWING)
         return;
-    if (drawn.in_frame && !drawn.is_shown) {
-        show(PANEL_BRIGHTEST);
-        drawn.is_shown = true;
-    }
+    drawn.has_picture |= drawn.in_frame;
+    show_picture();
     drawn.in_frame = next_frame();
     light.is_drawing = owner == LIGHT_HOST && (drawn.in_frame || light.is_drawing);
 }

@@ -9,7 +9,7 @@
 static struct bulk {
     uint8_t endpoint; /* 0: not open */
     uint8_t turn;
-    bool is_armed;
+    bool is_armed, is_halted;
     uint32_t packets[2][USB_PACKET / 4]; /* TinyUSB copies words where it can */
 } bulk[USB_INTERFACES];
 
@@ -36,7 +36,7 @@ static void init(void)
 static void arm(uint8_t port, enum usb_interface i, size_t pending)
 {
     struct bulk *b = &bulk[i];
-    if (b->endpoint && !b->is_armed && ops->has_room(i, pending + USB_PACKET))
+    if (b->endpoint && !b->is_armed && !b->is_halted && ops->has_room(i, pending + USB_PACKET))
         b->is_armed = usbd_edpt_xfer(port, b->endpoint, (uint8_t *)b->packets[b->turn], USB_PACKET);
 }
 
@@ -56,17 +56,34 @@ static uint16_t open(uint8_t port, const tusb_desc_interface_t *interface, uint1
     struct bulk *b = &bulk[interface->bInterfaceNumber];
     b->endpoint = endpoint->bEndpointAddress;
     b->turn = 0;
-    b->is_armed = false;
+    b->is_armed = b->is_halted = false;
     arm(port, (enum usb_interface)interface->bInterfaceNumber, 0);
     return len;
 }
 
+/* A halt, or its end: what was armed is given up, at the end even where there was no halt, as the next packet counts as the first one.
+ * It is armed again when all that arrived before has been told. */
+static void halt(uint8_t port, struct bulk *b, bool halts)
+{
+    if (!halts) {
+        usbd_edpt_stall(port, b->endpoint);
+        usbd_edpt_clear_stall(port, b->endpoint);
+    }
+    b->is_halted = halts;
+    b->is_armed = false;
+}
+
+/* Vendor requests do not come this way. Those to an endpoint are acknowledged whatever is returned. */
 static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *what)
 {
-    (void)port;
-    (void)stage;
-    (void)what;
-    return false; /* vendor requests do not come this way; others are not for us */
+    const bool is_halt = what->bmRequestType_bit.type == TUSB_REQ_TYPE_STANDARD &&
+                         what->bmRequestType_bit.recipient == TUSB_REQ_RCPT_ENDPOINT &&
+                         (what->bRequest == TUSB_REQ_SET_FEATURE || what->bRequest == TUSB_REQ_CLEAR_FEATURE) &&
+                         what->wValue == TUSB_REQ_FEATURE_EDPT_HALT;
+    for (unsigned i = 0; i < USB_INTERFACES && is_halt && stage == CONTROL_STAGE_SETUP; i++)
+        if (bulk[i].endpoint && bulk[i].endpoint == what->wIndex)
+            halt(port, &bulk[i], what->bRequest == TUSB_REQ_SET_FEATURE);
+    return false;
 }
 
 static bool transferred(uint8_t port, uint8_t endpoint, xfer_result_t result, uint32_t bytes)
@@ -75,6 +92,8 @@ static bool transferred(uint8_t port, uint8_t endpoint, xfer_result_t result, ui
         struct bulk *b = &bulk[i];
         if (b->endpoint != endpoint)
             continue;
+        if (!b->is_armed) /* given up */
+            return true;
         const uint8_t *packet = (const uint8_t *)b->packets[b->turn];
         b->turn = !b->turn;
         b->is_armed = false;

@@ -48,8 +48,7 @@ static void several_text(const struct usb_found *found, const bool *fits, char *
     snprintf(line + strlen(line), size - strlen(line), "; choose one by --usb-path, --serial or --vid-pid");
 }
 
-/* Why a device that was found cannot be used. */
-static void unusable_text(const struct usb_device *device, char *line, size_t size)
+enum usb_attempt usb_unusable(const struct usb_device *device, char *line, size_t size)
 {
     char name[48];
     usb_name(device, name, sizeof name);
@@ -73,6 +72,9 @@ static void unusable_text(const struct usb_device *device, char *line, size_t si
         snprintf(line, size, "%s: %s", name, device->problem.text);
         break;
     }
+    return device->state == USB_DENIED     ? USB_TRY_DENIED
+           : device->state == USB_VANISHED ? USB_TRY_AGAIN
+                                           : USB_TRY_NO_GOOD;
 }
 
 const struct usb_device *usb_choose(const struct usb_found *found, const struct usb_options *options, char *line,
@@ -97,12 +99,16 @@ const struct usb_device *usb_choose(const struct usb_found *found, const struct 
     if (count) {
         several_text(found, fits, line, size);
     } else if (unusable) {
-        unusable_text(unusable, line, size);
-        if (unusable->state == USB_DENIED)
-            *attempt = USB_TRY_DENIED;
+        *attempt = usb_unusable(unusable, line, size);
     } else {
         none_text(options, line, size);
         *attempt = USB_TRY_AGAIN;
     }
     return NULL;
+}
+
+bool usb_may_pass(enum usb_attempt attempt, unsigned *denied)
+{
+    enum { DENIED_TRIES = 8 };
+    return attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++*denied < DENIED_TRIES);
 }

@@ -16,5 +16,9 @@ enum usb_attempt {
 /* The one to use; else NULL, one line that says why, and whether it may work later. */
 const struct usb_device *usb_choose(const struct usb_found *found, const struct usb_options *options, char *line,
                                     size_t size, enum usb_attempt *attempt);
+/* Why a device that was found cannot be used, and whether it may work later. */
+enum usb_attempt usb_unusable(const struct usb_device *device, char *line, size_t size);
+/* Whether another attempt may go better; `denied` counts those that ended so, of which there are few. */
+bool usb_may_pass(enum usb_attempt attempt, unsigned *denied);
 
 #endif

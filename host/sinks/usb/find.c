@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "sinks/gud/host.h"
-#include "sinks/usb/port.h"
 
 static const uint32_t known_ids[] = {GUD_ID_OPENMOKO, GUD_ID_MCS, GUD_ID_PIDCODES};
 
@@ -120,6 +119,20 @@ static bool is_wanted(const struct usb_device *device, const struct usb_options 
            (!options->serial || !strcmp(options->serial, device->serial));
 }
 
+enum usb_state usb_state_unopened(enum usb_opened opened, const struct gud_problem *problem)
+{
+    switch (opened) {
+    case USB_OPEN_KERNEL:
+        return USB_KERNEL;
+    case USB_OPEN_IN_USE:
+        return USB_IN_USE;
+    case USB_OPEN_DENIED:
+        return USB_DENIED;
+    default:
+        return problem->fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;
+    }
+}
+
 /* Asks one interface for its descriptor. */
 static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uint8_t interface, double until)
 {
@@ -127,18 +140,9 @@ static enum usb_state ask(libusb_context *libusb, struct usb_device *device, uin
         .libusb = libusb, .stoppable = true, .brief = !device->expected || until > 0, .until = until};
     struct gud_link link = {.context = &port, .control = usb_control};
     struct gud_descriptor descriptor;
-    switch (usb_port_open(&port, device->device, interface, NULL, &device->problem)) {
-    case USB_OPENED:
-        break;
-    case USB_OPEN_KERNEL:
-        return USB_KERNEL;
-    case USB_OPEN_IN_USE:
-        return USB_IN_USE;
-    case USB_OPEN_DENIED:
-        return USB_DENIED;
-    case USB_OPEN_FAILED:
-        return device->problem.fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;
-    }
+    const enum usb_opened opened = usb_port_open(&port, device->device, interface, NULL, &device->problem);
+    if (opened != USB_OPENED)
+        return usb_state_unopened(opened, &device->problem);
     const bool good = gud_descriptor_read(&link, &descriptor, &device->problem);
     usb_port_close(&port, false);
     return good ? USB_DISPLAY : device->problem.fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;

@@ -8,6 +8,7 @@
 
 #include "sinks/gud/link.h"
 #include "sinks/usb/options.h"
+#include "sinks/usb/port.h"
 
 enum usb_state {
     USB_DISPLAY,     /* answers the descriptor request */
@@ -45,6 +46,8 @@ struct usb_found {
  * interface has GUD in its name; no other is sent a request. `until`: seconds_now() when asking ends, and each request is
  * short; 0: no end. */
 void usb_find(libusb_context *libusb, const struct usb_options *options, double until, struct usb_found *found);
+/* What it means for a device that an interface of it was not opened. */
+enum usb_state usb_state_unopened(enum usb_opened opened, const struct gud_problem *problem);
 void usb_found_free(struct usb_found *found);
 /* "1-3.1": the bus and the ports on the way, as the kernel names devices. False where there is no port, as for root hubs, or
  * no room. */

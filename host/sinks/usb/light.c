@@ -47,54 +47,94 @@ bool usb_light_fits(const struct light_descriptor *device, const struct sink_wis
     return false;
 }
 
-/* Does the interface answer as one that shades? `line` gets the reason where it does not fit the wish. */
-static bool ask(struct light_sink *light, const struct sink_wish *wish, char *line, size_t size)
+/* Does the interface answer as one that shades? 1, and `line` gets the reason where it does not fit the wish; 0; or a fault. */
+static int ask(struct light_sink *light, const struct sink_wish *wish, char *line, size_t size)
 {
     uint8_t bytes[LIGHT_DESCRIPTOR_BYTES];
     struct light_descriptor descriptor;
-    if (light->link.control(&light->port, true, LIGHT_GET_DESCRIPTOR, 0, bytes, sizeof bytes) != sizeof bytes ||
-        !light_descriptor_unpack(&descriptor, bytes) || !descriptor.width || !descriptor.height)
-        return false;
+    const int got = light->link.control(&light->port, true, LIGHT_GET_DESCRIPTOR, 0, bytes, sizeof bytes);
+    if (got < 0 && got != GUD_LINK_STALL)
+        return got;
+    if (got != sizeof bytes || !light_descriptor_unpack(&descriptor, bytes) || !descriptor.width || !descriptor.height)
+        return 0;
     if (usb_light_fits(&descriptor, wish, light->name, line, size)) {
         light->sink.width = descriptor.width;
         light->sink.height = descriptor.height;
     }
-    return true;
+    return 1;
 }
 
-/* The interface that answers; `line` says why it does not fit. */
-static bool find_interface(struct light_sink *light, const struct usb_device *device, const struct sink_wish *wish,
-                           char *line, size_t size)
+/* The interface that answers; else `line` says why none does, or why it does not fit. */
+static enum usb_attempt find_interface(struct light_sink *light, const struct usb_device *device,
+                                       const struct sink_wish *wish, char *line, size_t size)
 {
-    struct gud_problem problem;
-    usb_name(device, light->name, sizeof light->name);
+    struct usb_device asked = *device; /* with the reason why one is not known to shade */
+    asked.state = USB_DISPLAY;
     for (unsigned i = 0; i < device->interface_count; i++) {
         const uint8_t number = device->interfaces[i].number;
-        *line = '\0';
-        if (usb_port_open(&light->port, device->device, number, NULL, &problem) != USB_OPENED)
+        const enum usb_opened opened = usb_port_open(&light->port, device->device, number, NULL, &asked.problem);
+        if (opened == USB_OPEN_KERNEL) /* it keeps the display; what shades is no driver's */
             continue;
+        if (opened != USB_OPENED) {
+            asked.state = usb_state_unopened(opened, &asked.problem);
+            continue;
+        }
         light->port.bulk_out = device->interfaces[i].bulk_out;
-        if (ask(light, wish, line, size))
-            return !*line;
+        *line = '\0';
+        const int answer = ask(light, wish, line, size);
+        if (answer > 0)
+            return *line ? USB_TRY_NO_GOOD : USB_TRY_OPENED;
         usb_port_close(&light->port, false);
+        if (answer < 0) {
+            const enum gud_link_fault fault = (enum gud_link_fault)answer;
+            gud_problem_is(&asked.problem, fault, "asked whether it shades by itself: %s", gud_fault_words(fault));
+            asked.state = fault == GUD_LINK_GONE ? USB_VANISHED : USB_NOT_DISPLAY;
+        }
     }
+    if (asked.state != USB_DISPLAY)
+        return usb_unusable(&asked, line, size);
     snprintf(line, size, "%s: it does not shade by itself; leave out --shade", light->name);
-    return false;
+    return USB_TRY_NO_GOOD;
 }
 
-/* The display's own host may be drawing; that is soon done. A signal does not keep the panel from being given back. */
-static bool enable(struct light_sink *light, uint8_t value)
+static const char busy_words[] = "it is busy with a picture; try again";
+
+/* The display's own host may be drawing; that is soon done. A signal does not keep the panel from being given back. 0, or a fault. */
+static int enable(struct light_sink *light, uint8_t value, const char **why)
 {
     uint8_t status = GUD_BUSY;
-    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS && !(light->port.stoppable && stream_stopped());
-         ms += ASK_MS) {
-        if (light->link.control(&light->port, false, LIGHT_SET_ENABLE, 0, &value, 1) == 1)
-            return true;
-        if (light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1) != 1)
-            return false;
+    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS; ms += ASK_MS) {
+        int result = light->link.control(&light->port, false, LIGHT_SET_ENABLE, 0, &value, 1);
+        if (result == 1)
+            return 0;
+        if (result == GUD_LINK_STALL)
+            result = light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1);
+        if (result >= 0 && light->port.stoppable && stream_stopped())
+            result = GUD_LINK_STOPPED;
+        if (result < 0) {
+            *why = gud_fault_words((enum gud_link_fault)result);
+            return result;
+        }
         usb_pause_ms(ASK_MS);
     }
-    return false;
+    *why = status == GUD_BUSY ? busy_words : "it refuses to hand its panel over; plug it in again";
+    return GUD_LINK_STALL;
+}
+
+/* Opens the chosen device; `line` gets the reason where not. */
+static enum usb_attempt connect_shader(struct light_sink *light, const struct usb_device *device,
+                                       const struct sink_wish *wish, char *line, size_t size)
+{
+    usb_name(device, light->name, sizeof light->name);
+    const enum usb_attempt attempt = find_interface(light, device, wish, line, size);
+    if (attempt != USB_TRY_OPENED)
+        return attempt;
+    const char *why = "out of memory";
+    const int fault = usb_bulk_prepare(&light->port) ? GUD_LINK_ERROR : wish->demo ? 0 : enable(light, 1, &why);
+    if (!fault)
+        return USB_TRY_OPENED;
+    snprintf(line, size, "%s: %s", light->name, why);
+    return fault == GUD_LINK_GONE ? USB_TRY_AGAIN : USB_TRY_NO_GOOD;
 }
 
 static void leave(struct light_sink *light)
@@ -105,12 +145,11 @@ static void leave(struct light_sink *light)
     free(light);
 }
 
-/* NULL: `line` says why, and `*may_pass` whether it may still be plugged in. */
-static struct light_sink *try_open(const struct sink_wish *wish, char *line, size_t size, bool *may_pass)
+/* NULL: `line` and `*attempt` say why. */
+static struct light_sink *try_open(const struct sink_wish *wish, char *line, size_t size, enum usb_attempt *attempt)
 {
     static struct usb_found found;
     struct usb_options any = usb_options;
-    enum usb_attempt attempt;
     struct light_sink *light = allocate(1, sizeof *light);
     const int error = libusb_init(&light->port.libusb);
     if (error)
@@ -120,16 +159,12 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     light->port.stoppable = true;
     any.detach = true; /* the kernel's driver may keep the display */
     usb_find(light->port.libusb, &any, 0, &found);
-    const struct usb_device *device = usb_choose(&found, &any, line, size, &attempt);
-    *may_pass = !device && attempt == USB_TRY_AGAIN;
-    bool good = device && find_interface(light, device, wish, line, size);
+    const struct usb_device *device = usb_choose(&found, &any, line, size, attempt);
+    if (device)
+        *attempt = connect_shader(light, device, wish, line, size);
     usb_found_free(&found);
     light->is_demo = wish->demo;
-    if (good && (usb_bulk_prepare(&light->port) || (!wish->demo && !enable(light, 1)))) {
-        snprintf(line, size, "%s: it is busy with a picture; try again", light->name);
-        good = false;
-    }
-    if (good)
+    if (*attempt == USB_TRY_OPENED)
         return light;
     leave(light);
     return NULL;
@@ -138,12 +173,12 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
 static struct sink *open_shader(const struct sink_wish *wish)
 {
     char line[400];
-    bool may_pass;
+    enum usb_attempt attempt;
     struct light_sink *light;
-    while (!(light = try_open(wish, line, sizeof line, &may_pass))) {
+    for (unsigned denied = 0; !(light = try_open(wish, line, sizeof line, &attempt));) {
         if (stream_stopped())
             return NULL;
-        if (!usb_options.wait || !may_pass)
+        if (!usb_options.wait || !usb_may_pass(attempt, &denied))
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
         usb_pause_ms(WAIT_MS);
@@ -221,7 +256,7 @@ static enum sink_result give_light(struct light_sink *light, const int32_t to_li
             return got < 0 ? result_of(light, got, "the light") : SINK_INTERRUPTED;
         const char *refusal = usb_demo_refusal(status);
         if (refusal || ms >= LAST_FRAMES_MS)
-            fail("%s: %s", light->name, refusal ? refusal : "it is busy with a picture; try again");
+            fail("%s: %s", light->name, refusal ? refusal : busy_words);
         usb_pause_ms(ASK_MS);
     }
 }
@@ -324,11 +359,12 @@ static void light_close(struct sink *sink)
 {
     struct light_sink *light = of(sink);
     const bool is_enabled = !light->gone && !light->is_demo;
+    const char *why;
     if (is_enabled)
         wait_for_frames(light);
     light->port.stoppable = false;
-    if (is_enabled && !enable(light, 0))
-        warn("%s: it did not give the panel back", light->name);
+    if (is_enabled && enable(light, 0, &why))
+        warn("%s: it did not give the panel back: %s", light->name, why);
     leave(light);
 }
 

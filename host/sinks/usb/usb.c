@@ -23,7 +23,7 @@ struct usb_sink {
     char name[48];
 };
 
-enum { WAIT_MS = 250, DENIED_TRIES = 8 };
+enum { WAIT_MS = 250 };
 
 static struct sink_cost cost_of(libusb_device *device)
 {
@@ -148,8 +148,7 @@ static struct sink *usb_open(const struct sink_wish *wish)
             break;
         if (stream_stopped())
             return NULL;
-        const bool may_pass = attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++denied < DENIED_TRIES);
-        if (!usb_options.wait || !may_pass)
+        if (!usb_options.wait || !usb_may_pass(attempt, &denied))
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
         usb_pause_ms(WAIT_MS);

@@ -87,6 +87,11 @@ static void a_picture_outside_the_memory_is_refused(void **state)
     assert_non_null(layout(&framebuffer));
     memory.line_length = UINT32_MAX;
     assert_non_null(layout(&framebuffer));
+    memory.smem_len = UINT32_MAX;
+    screen.yoffset = UINT32_MAX - 47; /* 2^32 + 2 lines, of which the bytes modulo 2^64 would lie in the memory */
+    assert_non_null(layout(&framebuffer));
+    memory.line_length = 0;
+    assert_non_null(layout(&framebuffer));
 }
 
 static void visuals_without_three_channels_are_refused(void **state)

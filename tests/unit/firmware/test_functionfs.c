@@ -2,6 +2,7 @@
  * glint-gadget's loop over requests, with sockets instead of FunctionFS's files. */
 #include <fcntl.h>
 #include <poll.h>
+#include <sched.h>
 #include <signal.h>
 #include <string.h>
 #include <sys/socket.h>
@@ -19,8 +20,11 @@ static int fake_poll(struct pollfd *files, unsigned long count, int ms);
 #undef poll
 #include "../../../firmware/ports/linux/message.c"
 
+static void (*plugged)(void);
 bool configfs_plug(void)
 {
+    if (plugged)
+        plugged();
     return true;
 }
 bool configfs_unplug(void)
@@ -99,10 +103,66 @@ static void an_event_that_is_gone_when_it_is_read_does_not_hold_up_signals(void 
     assert_true(stale > 3);
 }
 
+/* ---- a host that asks for the next rectangle while bytes of this one go on coming, few at a time ---- */
+
+enum { BYTES_MAX = 1000000 };
+static pthread_t host;
+static volatile bool is_asked, is_in_time;
+
+static void tell(struct usb_functionfs_event event)
+{
+    assert_int_equal(send(kernel[0], &event, sizeof event, 0), sizeof event);
+}
+
+static void *trickle(void *nothing)
+{
+    tell((struct usb_functionfs_event){.type = FUNCTIONFS_ENABLE});
+    assert_int_equal(send(kernel[1], "", 1, 0), 1);
+    tell((struct usb_functionfs_event){.type = FUNCTIONFS_SETUP,
+                                       .u.setup = {.bRequestType = GUD_TYPE_OUT, .bRequest = GUD_SET_BUFFER}});
+    for (unsigned count = 0; count < BYTES_MAX && !is_asked;) {
+        const bool is_taken = send(kernel[1], "", 1, MSG_DONTWAIT) == 1;
+        count += is_taken;
+        if (!is_taken)
+            sched_yield();
+    }
+    is_in_time = is_asked;
+    kill(getpid(), SIGTERM);
+    return nothing;
+}
+
+static void begin_to_trickle(void)
+{
+    assert_int_equal(pthread_create(&host, NULL, trickle, NULL), 0);
+}
+
+static int note_setup(void *context, const struct gud_setup *setup, uint8_t *reply)
+{
+    is_asked |= setup->request == GUD_SET_BUFFER;
+    return no_setup(context, setup, reply);
+}
+static uint32_t expects_many(void *context)
+{
+    (void)context;
+    return 1 << 20;
+}
+
+static void bytes_that_go_on_coming_do_not_hold_up_the_next_rectangle(void **state)
+{
+    (void)state;
+    const struct usb_function endless = {note_setup, no_set, expects_many, no_bulk, no_event, NULL};
+    plugged = begin_to_trickle;
+    ending = false;
+    functionfs_run("/nowhere", &endless, false, no_dump);
+    pthread_join(host, NULL);
+    assert_true(is_in_time);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(an_event_that_is_gone_when_it_is_read_does_not_hold_up_signals),
+        cmocka_unit_test(bytes_that_go_on_coming_do_not_hold_up_the_next_rectangle),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

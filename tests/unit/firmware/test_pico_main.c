@@ -79,11 +79,12 @@ void board_say(const char *text)
     (void)text;
 }
 
+static uint32_t now_us, alive_us;
 void board_alive(void)
 {
+    alive_us = now_us;
 }
 
-static uint32_t now_us;
 uint32_t board_us(void)
 {
     return now_us;
@@ -240,6 +241,23 @@ static void draw_rectangle(void)
     gud_ops.end(&gud_panel, true);
 }
 
+/* For longer than the watchdog waits, one after the other and all in one poll: lines of one bit a pixel arrive faster than they are drawn. */
+static void draw_many_rectangles(void)
+{
+    enum { RECTANGLE_US = 30000 };
+    for (unsigned us = 0; us < 2 * 1000 * WATCHDOG_MS; us += RECTANGLE_US) {
+        draw_rectangle();
+        now_us += RECTANGLE_US;
+        assert_true(!gud.controller || gud_ops.busy(&gud_panel) || now_us - alive_us < 1000 * WATCHDOG_MS);
+    }
+}
+
+/* What goes before a light. */
+static void send_scene(void)
+{
+    light.has_material = light.has_map = light.is_new = light.enabled;
+}
+
 static void happen(unsigned event)
 {
     switch (event) {
@@ -274,19 +292,28 @@ static void happen(unsigned event)
     case 9:
         give_light();
         return;
+    case 11:
+        send_scene();
+        return;
+    case 12:
+        draw_many_rectangles();
+        return;
     default:
         is_suspended = false;
         gud_device_resume(&gud);
     }
 }
-enum { EVENTS = 11, QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
+enum { EVENTS = 13, QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
 
 /* After polls in which nothing happens. */
 static void check_owner(void)
 {
     if (light.enabled) {
         assert_int_equal(owner, LIGHT_HOST);
-        assert_int_equal(percent, 0); /* it has sent nothing to draw */
+        if (is_suspended)
+            assert_int_equal(percent, 0);
+        else if (light_device_has_scene(&light)) /* else what it has drawn before stays */
+            assert_int_equal(percent, PANEL_BRIGHTEST);
     } else if (light.is_given && is_intact) {
         assert_true(is_demo(owner));
         assert_int_equal(percent, PANEL_BRIGHTEST);
@@ -367,6 +394,34 @@ static void a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_
     assert_int_equal(owner, DEMO);
 }
 
+/* So is that of a board with power of its own whose computer was unplugged. */
+static void the_panel_of_a_program_that_shades_is_dark_while_its_computer_sleeps(void **unused)
+{
+    (void)unused;
+    static const unsigned shading[] = {5, EVENTS, EVENTS + 1}, drawing[] = {5, 11, EVENTS, EVENTS + 1},
+                          sleeping[] = {5, 11, EVENTS, 8, EVENTS, EVENTS + 1},
+                          waking[] = {5, 11, EVENTS, 8, EVENTS, 10, EVENTS, EVENTS + 1};
+    const struct {
+        const unsigned *script;
+        unsigned percent;
+    } cases[] = {{shading, 0}, {drawing, PANEL_BRIGHTEST}, {sleeping, 0}, {waking, PANEL_BRIGHTEST}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        script = cases[i].script;
+        run_main(4 * QUIET);
+        assert_int_equal(owner, LIGHT_HOST);
+        assert_int_equal(percent, cases[i].percent);
+    }
+}
+
+static void a_host_that_draws_without_a_pause_does_not_starve_the_watchdog(void **unused)
+{
+    (void)unused;
+    static const unsigned events[] = {0, 1, EVENTS, 12, EVENTS, EVENTS + 1};
+    script = events;
+    run_main(3 * QUIET);
+    assert_int_equal(owner, GUD_HOST);
+}
+
 static void whatever_hosts_do_the_panel_is_its_owners(void **unused)
 {
     (void)unused;
@@ -392,6 +447,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_host_that_comes_and_goes_within_one_poll_leaves_the_demo_shown),
         cmocka_unit_test(a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_panel_back),
+        cmocka_unit_test(the_panel_of_a_program_that_shades_is_dark_while_its_computer_sleeps),
+        cmocka_unit_test(a_host_that_draws_without_a_pause_does_not_starve_the_watchdog),
         cmocka_unit_test(whatever_hosts_do_the_panel_is_its_owners),
         cmocka_unit_test(a_light_that_a_wrong_map_cannot_show_keeps_no_host_away),
     };

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT
  * The display loop draws what the library's rectangle draws, in whatever order bus and flash are ready. */
+#include <signal.h>
 #include <stdlib.h>
+#if defined __x86_64__
+#include <x86intrin.h>
+#endif
 
 #include "alarm.h"
 #include "demo.h"
@@ -293,6 +297,42 @@ static void a_start_waits_for_the_interrupt_that_ends_the_last_line(void **state
     assert_null(board.done);
 }
 
+#if defined __x86_64__
+static unsigned interrupts;
+
+/* The line before has been sent, and then the one that waits, before the loop looks whether it has to send that. */
+static void send_both(int number)
+{
+    (void)number;
+    if (!relight.is_waiting || !board.done)
+        return;
+    while (end_flush())
+        ;
+    interrupts++;
+}
+
+static void a_line_that_interrupts_have_sent_is_not_sent_again(void **state)
+{
+    enum { TRAP = 0x100 /* after each instruction */ };
+    (void)state;
+    int32_t to_light[3];
+    start(false);
+    orbit_light(to_light, 3, ORBIT_FRAMES);
+    assert_int_equal(relight_frame(&relight, to_light), GLINT_OK);
+    signal(SIGTRAP, send_both);
+    while (relight.in_frame) {
+        __writeeflags(__readeflags() | TRAP);
+        relight_step(&relight);
+        __writeeflags(__readeflags() & ~(unsigned long long)TRAP);
+    }
+    signal(SIGTRAP, SIG_DFL);
+    end_flush();
+    assert_int_equal(relight_step(&relight), RELIGHT_DONE);
+    assert_true(interrupts >= HEIGHT / 2);
+    check_screen(to_light);
+}
+#endif
+
 static void a_map_without_gaps_is_drawn_without_the_background(void **state)
 {
     (void)state;
@@ -385,6 +425,9 @@ int main(void)
         cmocka_unit_test(an_abandoned_frame_disturbs_no_other),
         cmocka_unit_test(a_frame_begins_when_the_board_allows_it_and_asks_once),
         cmocka_unit_test(a_start_waits_for_the_interrupt_that_ends_the_last_line),
+#if defined __x86_64__
+        cmocka_unit_test(a_line_that_interrupts_have_sent_is_not_sent_again),
+#endif
         cmocka_unit_test(a_map_without_gaps_is_drawn_without_the_background),
         cmocka_unit_test(an_impossible_light_is_refused_and_no_frame_begins),
         cmocka_unit_test(a_paint_that_is_none_or_of_another_format_is_refused_and_no_frame_begins),

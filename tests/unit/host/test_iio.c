@@ -2,6 +2,10 @@
  * glint stream --lights iio, by folders as Linux's sysfs has them: which sensor, its scale, its axes, and what is refused. */
 #include "files.h"
 
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/time.h>
+
 #include "draw/shading.h"
 #include "stream/iio.h"
 
@@ -98,6 +102,45 @@ static void what_is_no_accelerometer_is_refused(void **state)
     assert_fails("$GLINT stream coin --to raw --frames 1 --lights iio:tree", "has no in_accel_scale");
 }
 
+/* A sensor that takes its time: reading it waits until something is written. */
+static int pipe_end = -1;
+static volatile sig_atomic_t interrupts;
+
+static void write_at_last(int number)
+{
+    (void)number;
+    if (++interrupts == 40) {
+        pipe_end = open("tree/iio:device2/in_accel_z_raw", O_RDWR | O_NONBLOCK);
+        (void)!write(pipe_end, "1000\n", 5);
+    }
+}
+
+static void a_signal_that_interrupts_a_read_is_no_lost_sensor(void **state)
+{
+    (void)state;
+    double light[3] = {0};
+    make_tree();
+    struct iio *iio = iio_open("iio:tree");
+    assert_quiet("cd tree/iio:device2 && rm in_accel_z_raw && mkfifo in_accel_z_raw");
+    sigaction(SIGALRM, &(struct sigaction){.sa_handler = write_at_last}, NULL); /* reading does not go on by itself */
+    setitimer(ITIMER_REAL, &(struct itimerval){{.tv_usec = 500}, {.tv_usec = 500}}, NULL);
+    iio_light(iio, light);
+    setitimer(ITIMER_REAL, &(struct itimerval){.it_value = {0}}, NULL);
+    close(pipe_end);
+    assert_near(light[2], 1, .001);
+    iio_close(iio);
+}
+
+static void a_signal_ends_a_stream_that_waits_for_its_sensor(void **state)
+{
+    (void)state;
+    make_tree();
+    assert_ends("trap : TERM; $GLINT stream coin --size 60x40 --fps 100 --frames 9999 --to raw --lights iio:tree >a & "
+                "while ! [ -s a ]; do :; done; mkfifo pipe; mv pipe tree/iio:device2/in_accel_z_raw; sleep .1; "
+                "kill $!; wait $!",
+                143, "");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -106,6 +149,8 @@ int main(void)
         cmocka_unit_test(the_light_goes_where_a_tilt_takes_it),
         cmocka_unit_test(a_stream_by_a_sensor_is_that_of_the_same_line_of_lights),
         cmocka_unit_test(what_is_no_accelerometer_is_refused),
+        cmocka_unit_test(a_signal_that_interrupts_a_read_is_no_lost_sensor),
+        cmocka_unit_test(a_signal_ends_a_stream_that_waits_for_its_sensor),
     };
     return cmocka_run_group_tests(tests, scratch_make, scratch_remove);
 }

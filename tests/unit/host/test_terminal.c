@@ -7,6 +7,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <termios.h>
 
 #if GLINT_WITH_TERMINAL
 #define SPHERE "$GLINT stream sphere --size 60x40 --to png "
@@ -154,6 +155,27 @@ static void a_stream_that_is_stopped_gives_the_cursor_back_and_takes_it_when_it_
     assert_contains(strrchr(terminal.shown, 'l'), BACK);
 }
 
+/* By Ctrl-S: it takes nothing, not even the cursor. The first signal asks, and where nobody reads the stream ends all the same; so it
+ * does at once where the second one comes meanwhile. */
+static void a_terminal_that_is_held_up_does_not_keep_the_stream_from_ending(void **state)
+{
+    (void)state;
+    for (int signals = 1; signals <= 2; signals++) {
+        siginfo_t gone;
+        start(COIN "--fps 4", &usual_size);
+        shows(0, HIDDEN);
+        assert_int_equal(tcflow(terminal.line, TCOOFF), 0);
+        assert_int_equal(kill(terminal.child, SIGTERM), 0);
+        if (signals == 2)
+            assert_int_equal(kill(terminal.child, SIGINT), 0);
+        assert_int_equal(waitid(P_PID, (id_t)terminal.child, &gone, WEXITED | WNOWAIT), 0);
+        assert_int_equal(tcflow(terminal.line, TCOON), 0);
+        const int status = ends();
+        assert_true(signals == 1 ? status == 128 + SIGTERM
+                                 : status == -1 || status == 128 + SIGTERM || status == 128 + SIGINT);
+    }
+}
+
 /* Another thread would write the cursor while the first writes a frame. */
 static void the_first_thread_alone_takes_signals(void **state)
 {
@@ -215,6 +237,7 @@ int main(void)
         cmocka_unit_test(the_terminal_shows_it_and_gets_its_cursor_back),
         cmocka_unit_test(every_signal_that_ends_it_gives_the_terminal_its_cursor_back),
         cmocka_unit_test(a_terminal_may_state_any_size),
+        cmocka_unit_test(a_terminal_that_is_held_up_does_not_keep_the_stream_from_ending),
         cmocka_unit_test(the_first_thread_alone_takes_signals),
         cmocka_unit_test(a_stream_that_is_stopped_gives_the_cursor_back_and_takes_it_when_it_goes_on),
     };
