@@ -162,11 +162,10 @@ uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q)
 /* E = 2^16 (4n(1 - c) + 5c) comes scaled by 2^up, such that m, the largest, is just below 2^28: most of a
  * highlight is dim, so most pixels need no shift more. */
 
-/* FACTOR t 2^-14 + ADDEND, rounded down. */
-static inline uint32_t msh_m(int32_t factor, int32_t addend, uint32_t t)
+/* k t 2^-14 + addend, rounded down. */
+static inline uint32_t msh_m(int32_t k, int32_t addend, uint32_t t)
 {
-    const uint32_t whole = t >> 14;
-    return (uint32_t)(factor * (int32_t)whole + (factor * (int32_t)(t - (whole << 14)) >> 14)) + (uint32_t)addend;
+    return (uint32_t)(k * (int32_t)(t >> 14) + (k * (int32_t)(t & 0x3fff) >> 14)) + (uint32_t)addend;
 }
 
 /* m = FACTOR t 2^-14 + ADDEND, < 2^28 for t < t_end, where F > 0 and so E < 2^27: up >= 1. FACTOR < 2^17. */
