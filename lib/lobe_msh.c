@@ -162,14 +162,18 @@ uint32_t glint_msh_cutoff_t(uint32_t n, unsigned q)
 /* E = 2^16 (4n(1 - c) + 5c) comes scaled by 2^up, such that m, the largest, is just below 2^28: most of a
  * highlight is dim, so most pixels need no shift more. */
 
+/* k t 2^-14 + addend, rounded down. */
+static inline uint32_t msh_m(int32_t k, int32_t addend, uint32_t t)
+{
+    return (uint32_t)(k * (int32_t)(t >> 14) + (k * (int32_t)(t & 0x3fff) >> 14)) + (uint32_t)addend;
+}
+
 /* m = FACTOR t 2^-14 + ADDEND, < 2^28 for t < t_end, where F > 0 and so E < 2^27: up >= 1. FACTOR < 2^17. */
 static void msh_fold(struct glint_paint *paint)
 {
     const int32_t k = 4 * (int32_t)paint->of.exact.n - 5;
-    const uint32_t t = paint->of.exact.t_end - 1;
-    uint32_t largest = (uint32_t)5 << 16; /* E + 1, or at t = 0 where n = 1 */
-    if (k > 0)
-        largest += (uint32_t)k * (t >> 14) + ((uint32_t)k * (t & 0x3fff) >> 14) + 1;
+    /* E < largest + 1; n = 1: at t = 0 */
+    const uint32_t largest = msh_m(k, (int32_t)5 << 16, k > 0 ? paint->of.exact.t_end - 1 : 0);
     unsigned up = 0;
     while (largest << up < (uint32_t)1 << 27 && k * ((int32_t)1 << up) < (int32_t)1 << 16)
         up++;
@@ -180,9 +184,7 @@ static void msh_fold(struct glint_paint *paint)
 
 __attribute__((flatten)) static inline uint32_t msh_near(const struct glint_paint *paint, uint32_t t)
 {
-    const int32_t k = paint->of.exact.k[GLINT_MSH_FACTOR];
-    uint32_t m = (uint32_t)(k * (int32_t)(t >> 14) + (k * (int32_t)(t & 0x3fff) >> 14)) +
-                 (uint32_t)paint->of.exact.k[GLINT_MSH_ADDEND];
+    uint32_t m = msh_m(paint->of.exact.k[GLINT_MSH_FACTOR], paint->of.exact.k[GLINT_MSH_ADDEND], t);
     unsigned shift = (unsigned)paint->of.exact.k[GLINT_MSH_SHIFT];
     while (!(m >> 27)) {
         m <<= 1;

@@ -67,8 +67,9 @@ void glint_mesh_slopes_set(struct glint_mesh_slopes *slopes, const struct glint_
 #if !GLINT_CORTEX_M0PLUS_ASM
 /* t and its steps, from half the squares of the sides, Q29: P.P / 2, Q.Q / 2, R.R / 2 <= 2^29, R = Q - P. */
 static void values_t(struct glint_mesh_values *values, const struct glint_mesh_corner *const corner[3],
-                     const struct glint_mesh_slopes *s, uint32_t pp, uint32_t qq, uint32_t rr)
+                     const struct glint_mesh_slopes *s)
 {
+    const uint32_t pp = corner[2]->side, qq = corner[1]->side, rr = corner[0]->side;
     const uint32_t t = corner[0]->v->t_q30, t0 = t / 2, t1 = corner[1]->v->t_q30 / 2, t2 = corner[2]->v->t_q30 / 2;
     const int32_t p2 = 2 * (int32_t)pp, q2 = 2 * (int32_t)qq, pq = (int32_t)(pp + qq - rr); /* |.| <= 2^30 */
     const int32_t dp = (int32_t)(t1 - t0 - pp), dq = (int32_t)(t2 - t0 - qq);               /* D.P at the corner, D.Q */
@@ -155,14 +156,10 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
     /* Where u or v change by 8 a pixel or more, a value beyond the corners' might be met. */
     const bool is_steep = s.e < GLINT_MESH_STEEP;
     bool is_flat = is_steep;
-    uint32_t pp = 0, qq = 0, rr = 0;
     values->x = a->x >> 4;
     if (shine == GLINT_MESH_GLOSSY) {
-        const uint32_t square = (uint32_t)1 << 29; /* 90 degrees */
-        pp = corner[2]->side;
-        qq = corner[1]->side;
-        rr = corner[0]->side;
-        if (pp > square || qq > square || rr > square) /* would overflow */
+        const uint32_t square = (uint32_t)1 << 29;                                            /* 90 degrees */
+        if (corner[0]->side > square || corner[1]->side > square || corner[2]->side > square) /* would overflow */
             is_flat = true;
         else if (t_stays_beyond(corner, s.e, t_end))
             shine = GLINT_MESH_MATT;
@@ -182,7 +179,7 @@ enum glint_mesh_shine glint_mesh_values_set(struct glint_mesh_values *values,
         values_flat(values, a, b, c);
     } else {
         if (shine == GLINT_MESH_GLOSSY)
-            values_t(values, corner, &s, pp, qq, rr);
+            values_t(values, corner, &s);
         if (shine != GLINT_MESH_DARK) { /* Q13, to nearest */
             const int32_t nl = (a->nl_q30 >> 2) - (1 << 14);
             const struct linear l = values_linear(&s, ((b->nl_q30 >> 2) - nl) >> 15, ((c->nl_q30 >> 2) - nl) >> 15);

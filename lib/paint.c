@@ -30,13 +30,13 @@ static uint8_t paint_q(const struct glint_material *material, const struct glint
  * In units of 2^-16, N = c x + a, |a| <= 1/2, and D' 2^up = D c - e, 0 <= e < 3 2^up. So D N - D' 2^up x = D a + e x: from -D / 2 to
  * D / 2 + 3 2^up, as x <= 1; and of S and F, which is up to 33/32, likewise. With M levels V is high by at most M (D + S) / 2 units of
  * 2^(shift - 16), which is taken off thresholds, and W grows by twice that and by 3 65/32 M 2^up. Albedo and gloss, <= 1, only
- * lessen this; in grey the channels' parts of M add up to M. In linear space a unit is 2^shift, and D + S at most 2 of them. */
+ * lessen this; in grey the channels' parts of M add up to M. In linear space a unit is 2^shift, and D + S at most 2 of them (tests/proof). */
 static void paint_fold_high(struct glint_paint *p, uint32_t max, unsigned up)
 {
     const uint32_t high = p->of.exact.high, shift = p->of.exact.shift & 255;
-    uint32_t w = (2 * high + 1 + ((uint32_t)7 << up)) << shift;
+    uint32_t w = (2 * high + ((uint32_t)7 << up)) << shift;
     if (p->output.space == GLINT_GAMMA) {
-        w = (4 * high + (max * 25 >> 2 << up) + ((uint32_t)1 << up) + 1) << (shift - 16);
+        w = (4 * high + (max * 25 >> 2 << up) + ((uint32_t)1 << up)) << (shift - 16);
         if (!glint_format_is_grey(p->output.format) &&
             !p->output.dither) /* P has the threshold, if there are no maps */
             for (unsigned k = 0; k < 3; k++)

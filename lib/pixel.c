@@ -190,14 +190,14 @@ void glint_levels_fold(struct glint_paint *p, const struct glint_coefficients *c
         p->of.exact.q[k] = q.value;               /* Q nl: low by q.low, as nl <= 2^16 */
         p->of.exact.diffuse[k] = diffuse.value;   /* low by diffuse.low, times 255 / 2^7 */
         p->of.exact.r[k] = r.value;               /* R F: low by 33/32 r.low, and (R + 1) slack of F */
-        /* 4: what the loop of grey takes off and step 6 cuts, < 2 in three channels (tests/proof) */
+        /* 1: what the loop of grey takes off and step 6 cuts, < 2 in three channels (tests/proof) */
         const uint32_t both =
-            ((uint32_t)2 << (shift - 16)) + r.low + (r.low >> 5) + 1 + p->of.exact.slack * (r.value + 1) + 4;
+            ((uint32_t)2 << (shift - 16)) + r.low + (r.low >> 5) + p->of.exact.slack * (r.value + 1) + 1;
         const uint32_t w = both + q.low + is_down * (q.value + 1);
         /* >> 7 loses < 1 of 255, and F gloss / 255 < 1 + 2^-6: glint_by_255. W < 2^shift for a slack up to 64, of which
          * a unit is R + 1 <= 2^(shift - 8) */
         const uint32_t w_maps =
-            both + 2 * diffuse.low + 255 + r.value + (r.value >> 6) + 2 + is_down * 2 * (diffuse.value + 1);
+            both + 2 * diffuse.low + 255 + r.value + (r.value >> 6) + is_down * 2 * (diffuse.value + 1);
         p->of.exact.w = grey ? p->of.exact.w + w : w > p->of.exact.w ? w : p->of.exact.w;
         p->of.exact.w_maps = grey                          ? p->of.exact.w_maps + w_maps
                              : w_maps > p->of.exact.w_maps ? w_maps

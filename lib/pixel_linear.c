@@ -35,8 +35,8 @@ static unsigned linear_less(const struct glint_material *m, const struct glint_c
  *
  * V is low by less than W: by 1 of P; with nl <= 2^16 and F <= 67109 by 4 of Q and 4.1 of R, times 2^up; by 1 of the lower products; by
  * R 2^-14 for each unit of the model's slack, and for 1 + 2^-6 units that F gloss / 255 is low by (glint_by_255); by Q 2^-14 for the unit that
- * sums of several lights are low by where they come shifted down; in grey by 256, 1 for each part; and of a coloured light by what is
- * taken off and what its coefficients lack: glint_paint_fold. */
+ * sums of several lights are low by where they come shifted down; in grey by 255, with 1 more for what unit >> 6 cuts (tests/proof); and
+ * of a coloured light by what is taken off and what its coefficients lack: glint_paint_fold. */
 static void linear_fold(struct glint_paint *p, const struct glint_coefficients *c, unsigned up)
 {
     const struct glint_material *m = &p->material;
@@ -54,7 +54,7 @@ static void linear_fold(struct glint_paint *p, const struct glint_coefficients *
         const uint32_t unit = (p->of.exact.r[k] >> LINEAR_FRACTION) + 1;
         const uint32_t w =
             2 + ((uint32_t)9 << up) + slack * unit + 256 + (p->of.exact.nl_down ? ((uint32_t)1 << 14) + 1 : 0);
-        const uint32_t w_maps = w + unit + (unit >> 6) + 1;
+        const uint32_t w_maps = w + unit + (unit >> 6);
         p->of.exact.w = w > p->of.exact.w ? w : p->of.exact.w;
         p->of.exact.w_maps = w_maps > p->of.exact.w_maps ? w_maps : p->of.exact.w_maps;
     }

@@ -150,6 +150,24 @@ static void a_knock_counts_once_and_hardly_moves_the_light(void **state)
     assert_int_equal(knocks, 2);
 }
 
+static void samples_far_away_count_for_a_step_each(void **state)
+{
+    (void)state;
+    static const int16_t flat[3] = {0, 0, TILT_ONE_G}, knock[3] = {INT16_MAX, 0, TILT_ONE_G};
+    struct tilt knocked = {0};
+    tilt_add(&knocked, flat);
+    for (int k = 1; k <= 20; k++) {
+        const int16_t place[3] = {(int16_t)(k * TILT_STEP / 8), 0, TILT_ONE_G};
+        struct tilt there = {0};
+        int32_t of_knocked[3], of_there[3];
+        tilt_add(&knocked, knock);
+        tilt_add(&there, place);
+        tilt_look(&knocked, of_knocked);
+        tilt_look(&there, of_there);
+        assert_memory_equal(of_knocked, of_there, sizeof of_there);
+    }
+}
+
 /* Half a turn in half a second, and back: more than a wrist does. */
 static void turning_is_no_knock(void **state)
 {
@@ -206,6 +224,7 @@ int main(void)
         cmocka_unit_test(the_light_is_as_late_as_it_is_said_to_be),
         cmocka_unit_test(the_panel_is_lit_at_any_tilt),
         cmocka_unit_test(a_knock_counts_once_and_hardly_moves_the_light),
+        cmocka_unit_test(samples_far_away_count_for_a_step_each),
         cmocka_unit_test(turning_is_no_knock),
         cmocka_unit_test(samples_at_the_ends_of_their_range_do_no_harm),
         cmocka_unit_test(axes_and_turns_keep_up_up),

@@ -183,6 +183,19 @@ static void a_stop_waits_for_the_other_core_and_the_bus(void **state)
     }
 }
 
+static void a_stop_after_a_frame_does_not_wait_for_a_core_that_is_done(void **state)
+{
+    (void)state;
+    start(&two_cores);
+    run_frames(2);
+    while (turntable_step(&turntable) == TURNTABLE_BUSY)
+        end_flush();
+    turntable_stop(&turntable); /* on_join fails where nothing was forked */
+    turntable_stop(&turntable);
+    run_frames(3);
+    assert_int_equal(other.jobs, 12);
+}
+
 static void send_all(void *unused)
 {
     (void)unused;
@@ -272,6 +285,21 @@ static void what_it_cannot_draw_is_refused_at_the_start(void **state)
     assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
 }
 
+static void two_cores_have_a_strip_for_a_last_line_by_itself(void **state)
+{
+    (void)state;
+    struct panel short_panel;
+    set_up(&two_cores);
+    short_panel = panel;
+    short_panel.height = TURNTABLE_LINES * (STRIPS - 2) + 1;
+    turntable.pieces.panel = &short_panel;
+    turntable.lower_y = TURNTABLE_LINES;
+    turntable.strip_count = STRIPS - 1;
+    assert_int_equal(turntable_start(&turntable), GLINT_OK);
+    turntable.strip_count = STRIPS - 2;
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
+}
+
 static void a_light_or_a_paint_that_cannot_be_is_refused_and_nothing_begins(void **state)
 {
     (void)state;
@@ -309,10 +337,12 @@ int main(void)
         cmocka_unit_test(frames_are_the_librarys_however_slow_the_bus_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
         cmocka_unit_test(a_stop_waits_for_the_other_core_and_the_bus),
+        cmocka_unit_test(a_stop_after_a_frame_does_not_wait_for_a_core_that_is_done),
         cmocka_unit_test(a_stop_waits_for_the_interrupt_that_ends_the_last_transfer),
         cmocka_unit_test(the_other_core_waits_for_the_interrupt_that_ends_its_last_strip),
         cmocka_unit_test(a_quaternion_of_zero_leaves_the_last_picture),
         cmocka_unit_test(what_it_cannot_draw_is_refused_at_the_start),
+        cmocka_unit_test(two_cores_have_a_strip_for_a_last_line_by_itself),
         cmocka_unit_test(a_light_or_a_paint_that_cannot_be_is_refused_and_nothing_begins),
         cmocka_unit_test(a_bus_that_fails_is_reported),
     };

@@ -3,6 +3,7 @@
 #include "lamps.h"
 #include "mesh_colours.h"
 
+#include "glint_mesh_strip.h"
 #include "glint_mesh_texture.h"
 #include "glint_pixel.h"
 
@@ -42,6 +43,130 @@ static void triangles_in_one_strip_are_drawn_by_the_fused_lines_of_albedo_tables
     mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
     assert_in_range(quick, 20, mesh.mesh.face_count);
     assert_int_equal(slow, 0);
+}
+
+static void (*rows_between_outlines)(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                                     const struct glint_mesh_target *strip);
+
+static void count_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                       const struct glint_mesh_target *strip)
+{
+    slow++;
+    rows_between_outlines(paint, triangle, strip);
+}
+
+static void count_outlined(struct glint_mesh_target *strip)
+{
+    glint_outlines.begin(strip);
+    rows_between_outlines = strip->rows;
+    strip->rows = count_rows;
+}
+
+static void tables_draw_faces_that_no_outline_cuts_without_asking_for_cells(void **state)
+{
+    (void)state;
+    static struct made_mesh mesh;
+    static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], work[20000];
+    static uint16_t out[MESH_H * MESH_W];
+    static _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 8192];
+    const struct look look = bare(GLINT_RGB565);
+    const struct glint_surface surface = {.pixels = out, .stride = 2 * MESH_W};
+    struct glint_use_outlines counted = glint_outlines;
+    counted.begin = count_outlined;
+    mesh_ball(&mesh, 14, 18);
+    mesh_join(&mesh);
+    mesh.pose.scale = 16 * 40;
+    colour_at_random(&mesh);
+    mesh.mesh.use = &glint_use_mesh_albedo;
+    for (unsigned kind = 0; kind < 2; kind++) {
+        struct glint_mesh_frame frame;
+        struct glint_mesh_drawn drawn;
+        struct glint_paint paint;
+        mesh.mesh.of_vertices = kind ? &mesh.colours[0][0] : NULL;
+        paint_of_tables(&paint, kind ? GLINT_TABLES_ALBEDO : GLINT_TABLES_COLOUR, &look, tables);
+        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, 0, memory, sizeof memory), GLINT_OK);
+        frame.outlines = &counted;
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
+        slow = 0;
+        assert_int_equal(glint_mesh_strip(&frame, 0, MESH_H, &surface), GLINT_OK);
+        unsigned cut = 0;
+        for (unsigned i = 0; i < mesh.mesh.face_count; i++)
+            cut += (drawn.edges[i] & GLINT_EDGES_ASK) != 0;
+        assert_in_range(cut, 20, mesh.mesh.face_count / 2);
+        assert_in_range(slow, 1, cut);
+    }
+}
+
+static const struct glint_use_model *counted_model;
+
+static void count_shine(const struct glint_paint *paint, struct glint_sample *samples, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        (*(samples[i].t_q30 == GLINT_MESH_FAR_T ? &quick : &slow))++;
+    counted_model->run(paint, samples, count);
+}
+
+static void draw_no_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
+                         const struct glint_mesh_target *strip)
+{
+    (void)paint, (void)triangle, (void)strip;
+}
+
+static void begin_without_rows(struct glint_mesh_target *strip)
+{
+    glint_outlines.begin(strip);
+    strip->rows = draw_no_rows;
+}
+
+/* Of a triangle whose normals lean outwards by so much, the light and the viewer in front. */
+static void count_outlines_that_shine(double degrees)
+{
+    static const int16_t places[3][3] = {{-20000, -15000, 0}, {20000, -15000, 0}, {0, 20000, 0}};
+    static struct made_mesh mesh;
+    static uint8_t out[3 * MESH_H * MESH_W];
+    static uint32_t work[2000];
+    static _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 8192];
+    const struct glint_surface surface = {.pixels = out, .stride = 3 * MESH_W};
+    struct look look = bare(GLINT_RGB888);
+    struct glint_use_outlines counted = glint_outlines;
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    struct glint_paint paint;
+    mesh_made(&mesh, 3, 1);
+    for (uint16_t i = 0; i < 3; i++) {
+        const double lean = degrees * acos(-1) / 180, towards = (i * 120 - 150) * acos(-1) / 180;
+        memcpy(mesh.places[i], places[i], sizeof places[i]);
+        mesh.normals[i][0] = (int16_t)lrint(32767 * sin(lean) * cos(towards));
+        mesh.normals[i][1] = (int16_t)lrint(32767 * sin(lean) * sin(towards));
+        mesh.normals[i][2] = (int16_t)lrint(32767 * cos(lean));
+        mesh.faces[0][i] = i;
+        mesh.neighbours[0][i] = GLINT_MESH_RIM;
+    }
+    mesh.mesh.neighbours = mesh.neighbours[0];
+    set_model(&look, GLINT_MSH, 1000, 8);
+    assert_int_equal(look_light(&look, in_front, in_front), GLINT_OK);
+    paint_of(&paint, &look);
+    counted_model = paint.model;
+    struct glint_use_model shine = *paint.model;
+    shine.run = count_shine;
+    paint.model = &shine;
+    counted.begin = begin_without_rows;
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, 0, memory, sizeof memory), GLINT_OK);
+    frame.outlines = &counted;
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
+    quick = slow = 0;
+    assert_int_equal(glint_mesh_strip(&frame, 0, MESH_H, &surface), GLINT_OK);
+    assert_in_range(quick + slow, 100, 400);
+}
+
+/* Between normals so far apart t might dip by more than that (sequence.md), and yet it does not reach the highlight. */
+static void an_outline_whose_ends_are_a_half_beyond_the_highlight_has_no_t(void **state)
+{
+    (void)state;
+    count_outlines_that_shine(62);
+    assert_int_equal(slow, 0);
+    count_outlines_that_shine(55);
+    assert_int_equal(quick, 0);
 }
 
 static const struct glint_use_format *counted_format;
@@ -139,6 +264,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(triangles_in_one_strip_are_drawn_by_the_fused_lines_of_albedo_tables),
+        cmocka_unit_test(tables_draw_faces_that_no_outline_cuts_without_asking_for_cells),
+        cmocka_unit_test(an_outline_whose_ends_are_a_half_beyond_the_highlight_has_no_t),
         cmocka_unit_test(thirty_two_bits_decide_most_pixels_of_each_format_light_and_map),
         cmocka_unit_test(where_a_coloured_lamp_shines_in_full_32_bits_decide),
     };

@@ -2,6 +2,7 @@
  * Grain and maps of shininess. The bits are the exact tier's affair: here is how near pictures come to double precision, what must not matter,
  * and what is refused. */
 #include "grained.h"
+#include "glint_grain.h"
 #include "meshes.h"
 
 /* ---- Beside double precision ---- */
@@ -471,9 +472,17 @@ static void spans_take_one_direction_and_tables_no_grain(void **state)
     assert_int_equal(glint_draw_rect(&paint, &maps, 4, 1, &surface, NULL), GLINT_ERR_ARG);
 }
 
+static void sines_of_grain_are_to_nearest(void **state)
+{
+    (void)state;
+    for (int i = 0; i <= 128; i++)
+        assert_int_equal(glint_grain_sines[i], lround(32768 * sin(i * acos(-1) / 256)));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sines_of_grain_are_to_nearest),
         cmocka_unit_test(pictures_are_within_six_tenths_of_a_level_of_double_precision),
         cmocka_unit_test(n_across_of_0_or_n_draws_what_it_did),
         cmocka_unit_test(pixels_do_not_depend_on_how_a_picture_is_cut),

@@ -45,6 +45,38 @@ static void a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_si
         }
 }
 
+/* A mesh whose normals are one, but for what it rounds. */
+static void a_mesh_has_the_grain_of_a_rectangle_that_is_brushed_along_its_axis(void **state)
+{
+    (void)state;
+    static uint8_t drawn[3 * MESH_W * MESH_H];
+    for (int i = 0; i < 100; i++) {
+        const struct look look = metal((enum glint_model)grained[i % GRAINED], 60, 8);
+        int32_t wide[3] = {look.h.x + (int32_t)below(16001) - 8000, look.h.y + (int32_t)below(16001) - 8000, look.h.z};
+        struct glint_vec normal;
+        uint8_t pixel[3];
+        assert_int_equal(glint_vec_normalize(&normal, wide), GLINT_OK);
+        make_ball();
+        ball.pose = (struct glint_pose){{1, 0, 0, 0}, {0, 0, 0}, 16 * 44};
+        for (int k = 0; k < 2; k++)
+            ball.mesh.grain[k] = (int16_t)(below(40001) - 20000);
+        ball.mesh.grain[2] = 0;
+        for (unsigned v = 0; v < ball.mesh.vertex_count; v++) {
+            ball.normals[v][0] = normal.x;
+            ball.normals[v][1] = normal.y;
+            ball.normals[v][2] = normal.z;
+        }
+        draw_ball(&look, drawn, MESH_H, false);
+        const struct glint_maps maps = {.normals = &normal,
+                                        .grain_kind = GLINT_GRAIN_BRUSHED,
+                                        .grain_at = {ball.mesh.grain[0], ball.mesh.grain[1]}};
+        const struct glint_surface surface = {pixel, 3, 0, 0};
+        assert_int_equal(draw_rect(&look, &maps, 1, 1, &surface, NULL), GLINT_OK);
+        for (int k = 0; k < 3; k++)
+            assert_in_range(drawn[3 * (MESH_H / 2 * MESH_W + MESH_W / 2) + k] - pixel[k] + 1, 0, 2);
+    }
+}
+
 /* A third of a turn about (1, 1, 1) makes y of x, z of y and x of z, exactly. */
 static void the_axis_turns_with_the_mesh(void **state)
 {
@@ -156,6 +188,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_mesh_with_grain_does_not_depend_on_how_it_is_cut_or_on_the_axis_sign),
+        cmocka_unit_test(a_mesh_has_the_grain_of_a_rectangle_that_is_brushed_along_its_axis),
         cmocka_unit_test(the_axis_turns_with_the_mesh),
         cmocka_unit_test(the_axis_is_turned_to_nearest),
         cmocka_unit_test(a_mesh_with_grain_is_drawn_whatever_its_axis_and_normals_are),

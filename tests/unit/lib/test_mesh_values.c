@@ -2,6 +2,7 @@
  * A triangle's values beside lib/sequence.md, step by step; where the near plane lies, and how what it cuts is lit. */
 #include "meshes.h"
 
+#include "glint_mesh_pose.h"
 #include "glint_mesh_strip.h"
 
 static unsigned bits_of(uint64_t x)
@@ -399,9 +400,23 @@ static void a_shift_by_more_than_a_number_s_bits_leaves_nothing(void **state)
         }
 }
 
+static void a_place_at_the_viewer_or_behind_is_projected_as_the_nearest(void **state)
+{
+    (void)state;
+    struct glint_mesh_frame frame = {.distance = 4000};
+    const struct glint_mesh_place nearest = glint_mesh_project(&frame, (struct glint_mesh_place){3, -5, 3999});
+    for (int32_t z = 4000; z < 4003; z++) {
+        const struct glint_mesh_place at = glint_mesh_project(&frame, (struct glint_mesh_place){3, -5, z});
+        assert_int_equal(at.x, nearest.x);
+        assert_int_equal(at.y, nearest.y);
+        assert_int_equal(at.z, nearest.z);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_place_at_the_viewer_or_behind_is_projected_as_the_nearest),
         cmocka_unit_test(a_height_s_inverse_is_the_quotient_below_512_pixels),
         cmocka_unit_test(a_shift_by_more_than_a_number_s_bits_leaves_nothing),
         cmocka_unit_test(nl_and_depth_of_a_triangle_are_the_sequence_s),
