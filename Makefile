@@ -7,7 +7,12 @@
 SANITIZE ?= 0
 $(if $(filter-out 0 1,$(SANITIZE)),$(error SANITIZE=$(SANITIZE): choose 0 or 1))
 BUILD ?= build/$(if $(filter 1,$(SANITIZE)),sanitized,host)
+# A word of the shell, whatever is in it.
+quoted = '$(subst ','\'',$(1))'
 $(if $(filter 1,$(words $(BUILD))),,$(error BUILD='$(BUILD)': name one folder, without blanks))
+# Numbers, where the command line gives them.
+$(foreach name,SECONDS MUTANTS SEED MINUTES JOBS,$(if $(filter command,$(origin $(name))),$(if $($(name)),$(if $(shell echo $(call quoted,$($(name))) | grep -xE '[0-9]{1,18}'),,\
+	$(error $(name)='$($(name))': give a whole number)))))
 # make -R has no default of these.
 CC ?= cc
 AR ?= ar
@@ -121,7 +126,7 @@ $(BUILD)/host/%.o: host/%.c $(BUILD)/flags | $(BUILD)/packages
 FLAGS = $(CC) $(LIB_CFLAGS) $(HOST_CFLAGS) $(LDFLAGS)
 $(BUILD)/flags: always
 	@mkdir -p $(@D)
-	@printf '%s\n' '$(subst ','\'',$(FLAGS))' | cmp -s - $@ || printf '%s\n' '$(subst ','\'',$(FLAGS))' >$@
+	@printf '%s\n' $(call quoted,$(FLAGS)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(FLAGS)) >$@
 
 $(BUILD)/packages:
 	@mkdir -p $(@D)
@@ -161,16 +166,16 @@ $(BUILD)/man: $(BUILD)/glint
 		$(BUILD)/glint $$command --_man >$@/glint-$$command.1 || { rm -rf $@; exit 1; }; done
 	@touch $@
 
-INSTALL = $(DESTDIR)$(PREFIX)
+INSTALL = $(call quoted,$(DESTDIR)$(PREFIX))
 install: all run-install-lib $(BUILD)/man ## use: library, header, libglint.pc, command, its man pages and completion, the udev rule, to DESTDIR/PREFIX (/usr/local)
-	install -d "$(INSTALL)/lib/udev/rules.d" "$(INSTALL)/bin" "$(INSTALL)/share/man/man1" \
-		"$(INSTALL)/share/bash-completion/completions" "$(INSTALL)/share/zsh/site-functions"
-	install -m 755 $(BUILD)/glint "$(INSTALL)/bin/"
-	install -m 644 $(BUILD)/man/*.1 "$(INSTALL)/share/man/man1/"
-	install -m 644 host/completion/glint.bash "$(INSTALL)/share/bash-completion/completions/glint"
-	install -m 644 host/completion/_glint "$(INSTALL)/share/zsh/site-functions/"
-	install -m 644 host/udev/70-glint.rules "$(INSTALL)/lib/udev/rules.d/"
-	test ! -e build/page/index.html || install -D -m 644 build/page/index.html "$(INSTALL)/share/glint/page.html"
+	install -d $(INSTALL)/lib/udev/rules.d $(INSTALL)/bin $(INSTALL)/share/man/man1 \
+		$(INSTALL)/share/bash-completion/completions $(INSTALL)/share/zsh/site-functions
+	install -m 755 $(BUILD)/glint $(INSTALL)/bin/
+	install -m 644 $(BUILD)/man/*.1 $(INSTALL)/share/man/man1/
+	install -m 644 host/completion/glint.bash $(INSTALL)/share/bash-completion/completions/glint
+	install -m 644 host/completion/_glint $(INSTALL)/share/zsh/site-functions/
+	install -m 644 host/udev/70-glint.rules $(INSTALL)/lib/udev/rules.d/
+	test ! -e build/page/index.html || install -D -m 644 build/page/index.html $(INSTALL)/share/glint/page.html
 
 # A folder for each compiler, so that a cross compiler's objects do not replace the host's.
 install-lib: have-compiler ## use: library, header and libglint.pc alone, needs a compiler only: CC=arm-none-eabi-gcc AR=arm-none-eabi-ar DESTDIR=...
@@ -180,18 +185,18 @@ have-compiler:
 	@command -v $(firstword $(CC)) >/dev/null || { echo "make: there is no compiler '$(firstword $(CC))': set CC, and AR for its archiver" >&2; exit 1; }
 
 run-install-lib: $(BUILD)/libglint.a
-	install -d "$(INSTALL)/lib/pkgconfig" "$(INSTALL)/include"
-	install -m 644 $(BUILD)/libglint.a "$(INSTALL)/lib/"
-	install -m 644 $(LIB_HEADERS:%=lib/%) "$(INSTALL)/include/"
-	printf '%s\n' 'prefix=$(PREFIX)' 'Name: libglint' 'Description: Specular shading with integers only' \
+	install -d $(INSTALL)/lib/pkgconfig $(INSTALL)/include
+	install -m 644 $(BUILD)/libglint.a $(INSTALL)/lib/
+	install -m 644 $(LIB_HEADERS:%=lib/%) $(INSTALL)/include/
+	printf '%s\n' $(call quoted,prefix=$(PREFIX)) 'Name: libglint' 'Description: Specular shading with integers only' \
 		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
-		>"$(INSTALL)/lib/pkgconfig/libglint.pc"
+		>$(INSTALL)/lib/pkgconfig/libglint.pc
 
 uninstall: ## use: remove what make install put there
-	rm -f "$(INSTALL)/lib/libglint.a" "$(INSTALL)/lib/pkgconfig/libglint.pc" $(LIB_HEADERS:%="$(INSTALL)/include/%") \
-		"$(INSTALL)/bin/glint" "$(INSTALL)/share/glint/page.html" "$(INSTALL)/lib/udev/rules.d/70-glint.rules" \
-		"$(INSTALL)/share/bash-completion/completions/glint" "$(INSTALL)/share/zsh/site-functions/_glint" \
-		"$(INSTALL)/share/man/man1/glint.1" $(COMMAND_PAGES:%="$(INSTALL)/share/man/man1/%")
+	rm -f $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/libglint.pc $(LIB_HEADERS:%=$(INSTALL)/include/%) \
+		$(INSTALL)/bin/glint $(INSTALL)/share/glint/page.html $(INSTALL)/lib/udev/rules.d/70-glint.rules \
+		$(INSTALL)/share/bash-completion/completions/glint $(INSTALL)/share/zsh/site-functions/_glint \
+		$(INSTALL)/share/man/man1/glint.1 $(COMMAND_PAGES:%=$(INSTALL)/share/man/man1/%)
 
 # Firmware: a port's goals are phony, so this pattern catches only what is no port.
 PORTS = $(patsubst firmware/ports/%/port.mk,%,$(sort $(wildcard firmware/ports/*/port.mk)))

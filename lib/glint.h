@@ -383,7 +383,7 @@ enum glint_normals {
                             length is 1. z = 0: no surface. The low half may then say how many pixels from this one on have none,
                             all with z = 0, so that loops skip them; 0 counts as 1. */
 };
-/* Packs a normal: x and y to nearest, and the z that makes the length 1. 0 for a normal of length 0, and for INT16. */
+/* Packs a normal: x and y to nearest, and the z that makes the length 1. 0 for NULL, a normal of length 0, and INT16. */
 uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal);
 /* Unpacks it, as it is drawn. 0, 0, 0 where there is no surface. */
 struct glint_vec glint_normals_unpack(enum glint_normals format, uint32_t word);

@@ -138,14 +138,14 @@ size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines);
 enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint16_t h, uint16_t lines,
                                 uint16_t distance, void *memory, size_t bytes);
 
-/* Adds a mesh with a paint for each part, all lit by the same lights and of the same format. Memory: glint_mesh_bytes, aligned to 4, until
- * the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several lights, for
- * Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The viewer is
- * distant, also under perspective.
+/* Adds a mesh with a paint for each part, all lit by the same lights; a picture's paints have one format. Memory: glint_mesh_bytes, aligned to
+ * 4, until the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several
+ * lights, for Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The
+ * viewer is distant, also under perspective.
  * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a frame of zeros, *drawn in its picture already, a paint of zeros or never lit, paints of
- * different lights or formats, no room for lights; n_across without use_grain, or not under one directional light; COLOUR tables with
- * colours of the mesh or a texture; ALBEDO tables with neither; a texture, or colours by ALBEDO tables, without use. GLINT_ERR_VECTOR: a
- * quaternion of 0. */
+ * different lights, or of another format than the picture's meshes before; no room for lights; n_across without use_grain, or not under
+ * one directional light; COLOUR tables with colours of the mesh or a texture; ALBEDO tables with neither; a texture, or colours by ALBEDO
+ * tables, without use. GLINT_ERR_VECTOR: a quaternion of 0. */
 size_t glint_mesh_bytes(const struct glint_mesh *mesh, uint16_t h);
 enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn,
                               const struct glint_mesh *mesh, const struct glint_pose *pose,

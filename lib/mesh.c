@@ -124,10 +124,10 @@ static bool mesh_are_alike(const struct glint_paint *a, const struct glint_paint
 static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *mesh, const struct glint_paint *paints)
 {
     const bool coloured = mesh->of_vertices || mesh->of_faces;
+    const uint8_t format = (frame->first ? frame->first->paints : paints)->output.format;
     for (unsigned i = 0; i == 0 || i < mesh->part_count; i++) {
         const struct glint_paint *paint = &paints[i];
-        if (!glint_paint_is_lit(paint) || !mesh_are_alike(paint, paints) ||
-            paint->output.format != paints->output.format)
+        if (!glint_paint_is_lit(paint) || !mesh_are_alike(paint, paints) || paint->output.format != format)
             return false;
         if (glint_paint_is_exact(paint) && glint_material_across(&paint->material) &&
             (paint->several || !mesh->use_grain))

@@ -305,10 +305,9 @@ static void strip_draw(const struct glint_mesh_target *strip)
 /* Does the picture's line fit the stride? */
 static bool strip_fits(const struct glint_mesh_frame *frame, const struct glint_surface *target, uint16_t h)
 {
-    uint32_t bytes = 0;
-    for (const struct glint_mesh_drawn *drawn = frame->first; drawn; drawn = drawn->next)
-        bytes = glint_line_bytes(drawn->paints->output.format, frame->w);
-    return h == 1 || glint_stride_fits(target->stride, bytes);
+    const struct glint_mesh_drawn *const drawn = frame->first; /* others have its format */
+    return h == 1 || !drawn ||
+           glint_stride_fits(target->stride, glint_line_bytes(drawn->paints->output.format, frame->w));
 }
 
 /* The box with what the mesh may draw of the strip. */

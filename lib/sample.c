@@ -133,7 +133,7 @@ static int32_t nearest(int32_t value)
 /* |z| at least 1, so that no normal reads as no surface. */
 uint32_t glint_normals_pack(enum glint_normals format, const struct glint_vec *normal)
 {
-    if (!(normal->x | normal->y | normal->z) || format != GLINT_NORMALS_INT8)
+    if (!normal || !(normal->x | normal->y | normal->z) || format != GLINT_NORMALS_INT8)
         return 0;
     const int32_t x = nearest(normal->x), y = nearest(normal->y);
     const int32_t rest = ((int32_t)1 << 30) - 65536 * (x * x) - 65536 * (y * y); /* >= -2^30 */

@@ -242,6 +242,7 @@ void parse_command(const struct argp *argp, unsigned flags, int argc, char **arg
     static const struct argp common = {common_options, parse_common, NULL, NULL, NULL, NULL, NULL};
     const struct argp_child children[] = {{argp, 0, NULL, 0}, {&common, 0, NULL, 0}, {NULL, 0, NULL, 0}};
     const struct argp all = {NULL, NULL, NULL, NULL, children, NULL, NULL};
+    unsetenv("ARGP_HELP_FMT"); /* with some margins argp writes without end */
     argp_parse(&all, argc, argv, flags | ARGP_NO_ERRS | ARGP_NO_HELP, NULL, input);
 }
 

@@ -39,12 +39,7 @@ static void limit_memory(void)
 
 static void set_limits(void)
 {
-    for (int i = 1; i < NSIG; i++)
-        signal(i, SIG_DFL);
     signal(SIGXFSZ, SIG_IGN); /* a library's cache is not written */
-    sigset_t none;
-    sigemptyset(&none);
-    sigprocmask(SIG_SETMASK, &none, NULL);
     setrlimit(RLIMIT_CORE, &(struct rlimit){0, 0});
     setrlimit(RLIMIT_FSIZE, &(struct rlimit){0, 0});
     setrlimit(RLIMIT_CPU, &(struct rlimit){SECONDS_MAX, SECONDS_MAX});
@@ -52,8 +47,13 @@ static void set_limits(void)
 }
 
 /* The parent's end is not seen in a library's loop; it may have come before the system was asked. */
-static void die_with(pid_t parent)
+void child_begin(pid_t parent)
 {
+    for (int i = 1; i < NSIG; i++)
+        signal(i, SIG_DFL);
+    sigset_t none;
+    sigemptyset(&none);
+    sigprocmask(SIG_SETMASK, &none, NULL);
     if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != parent)
         _exit(1);
 }
@@ -96,7 +96,7 @@ void child_start(struct child *child, const char *name, const char *reader, void
     if (process < 0)
         fail("%s: no process to read it in: %s", name, strerror(errno));
     if (process == 0) {
-        die_with(parent);
+        child_begin(parent);
         close(ends[0]);
         set_limits();
         const int out = fcntl(ends[1], F_DUPFD_CLOEXEC, STDERR_FILENO + 1); /* where the streams were closed */

@@ -21,6 +21,9 @@ void child_start(struct child *child, const char *name, const char *reader, void
 const char *child_receive(struct child *child, void *to, size_t bytes);
 void child_end(struct child *child); /* it has nothing more to say */
 
+/* First of all in a child, also in one that becomes another program: signals do what the system does, and it dies with the parent's main
+ * thread, which made it. */
+void child_begin(pid_t parent);
 /* In the child: the parent may be gone, and then there is nobody to tell. */
 void child_send(int out, const void *from, size_t bytes);
 

@@ -116,8 +116,11 @@ FILE *import_files_open(const char *path, size_t *len, const char **wrong)
 
 const char *import_files_outside(const struct import_source *of)
 {
-    return of->path ? "it lies outside the mesh's folder; put it beside the mesh, or give --allow-files its folder"
-                    : "it is a file, and the mesh comes from standard input; name the mesh's file";
+    if (!of->path)
+        return "it is a file, and the mesh comes from standard input; name the mesh's file";
+    return access("/proc/self/fd", F_OK) == 0
+               ? "it lies outside the mesh's folder; put it beside the mesh, or give --allow-files its folder"
+               : "where it lies cannot be told without /proc; mount it";
 }
 
 const char *import_files_refused(void)

@@ -4,7 +4,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <spawn.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,9 +12,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/child.h"
 #include "base/message.h"
-
-extern char **environ;
 
 enum { COMPLAINT_BYTES = 100 };
 
@@ -49,6 +47,18 @@ static void read_complaint(int descriptor, char *complaint, size_t room)
             snprintf(complaint, room, "%s", line);
 }
 
+enum { NOT_RUN = 127 }; /* what shells say, too */
+
+static void become(const char *directory, char *const arguments[], int output, int errors)
+{
+    const int null = open("/dev/null", O_RDONLY);
+    if (dup2(errors, STDERR_FILENO) >= 0 && dup2(output, STDOUT_FILENO) >= 0 && dup2(null, STDIN_FILENO) >= 0 &&
+        chdir(directory) == 0)
+        execvp(arguments[0], arguments);
+    dprintf(errors, "%s", strerror(errno));
+    _exit(NOT_RUN);
+}
+
 static char *run(const char *directory, char *const arguments[], size_t *size, int *status,
                  char complaint[COMPLAINT_BYTES])
 {
@@ -56,19 +66,14 @@ static char *run(const char *directory, char *const arguments[], size_t *size, i
     const int errors = memfd_create("gnuplot", MFD_CLOEXEC);
     if (pipe2(ends, O_CLOEXEC) != 0 || errors < 0)
         fail("gnuplot: no pipe to it: %s", strerror(errno));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, errors, STDERR_FILENO);
-    posix_spawn_file_actions_addchdir_np(&actions, directory);
-    pid_t child;
-    const int error = posix_spawnp(&child, arguments[0], &actions, NULL, arguments, environ);
-    posix_spawn_file_actions_destroy(&actions);
+    const pid_t parent = getpid(), child = fork();
+    if (child < 0)
+        fail("gnuplot: no process for it: %s", strerror(errno));
+    if (child == 0) {
+        child_begin(parent);
+        become(directory, arguments, ends[1], errors);
+    }
     close(ends[1]);
-    if (error)
-        fail("gnuplot: %s; install gnuplot-nox, or pass --no-plots for the CSV files and the report alone",
-             strerror(error));
     char *text = read_all(ends[0], size);
     close(ends[0]);
     while (waitpid(child, status, 0) < 0)
@@ -76,6 +81,9 @@ static char *run(const char *directory, char *const arguments[], size_t *size, i
             fail("gnuplot: %s", strerror(errno));
     read_complaint(errors, complaint, COMPLAINT_BYTES);
     close(errors);
+    if (WIFEXITED(*status) && WEXITSTATUS(*status) == NOT_RUN)
+        fail("gnuplot: %s; install gnuplot-nox, or pass --no-plots for the CSV files and the report alone",
+             *complaint ? complaint : "it does not run");
     return text;
 }
 

@@ -28,6 +28,17 @@ static void help_of_every_command_has_an_example_and_exits_0(void **state)
     }
 }
 
+/* glibc's argp writes without end, into a closed pipe, too, until its seconds of the processor are used up. */
+static void argp_margins_leave_help_as_it_is(void **state)
+{
+    (void)state;
+    assert_int_equal(
+        run("$GLINT eval --help >asked; (ulimit -t 9; ARGP_HELP_FMT=rmargin=1 $GLINT eval --help) | cmp - asked "
+            "&& test -s asked")
+            ->status,
+        0);
+}
+
 static void help_and_a_command_give_what_its_option_gives(void **state)
 {
     (void)state;
@@ -338,6 +349,7 @@ static void an_output_that_cannot_be_is_named(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(argp_margins_leave_help_as_it_is),
         cmocka_unit_test(help_and_a_command_give_what_its_option_gives),
         cmocka_unit_test(help_of_every_command_has_an_example_and_exits_0),
         cmocka_unit_test(every_command_that_draws_a_scene_takes_its_name_with_and_without_the_option),

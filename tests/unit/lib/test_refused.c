@@ -274,6 +274,23 @@ static void what_is_in_a_picture_is_not_added_again(void **state)
                          GLINT_ERR_ARG);
 }
 
+/* A line of one would not fit the stride that holds the other's. */
+static void meshes_of_two_formats_are_not_in_one_picture(void **state)
+{
+    (void)state;
+    static uint32_t depths[8000], work[2][4000];
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn[2];
+    struct glint_paint wide;
+    look.output.format = GLINT_XRGB8888;
+    paint_of(&wide, &look);
+    mesh_ball(&mesh, 6, 8);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, sizeof depths), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn[0], &mesh.mesh, &mesh.pose, &wide, work[0], sizeof *work), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn[1], &mesh.mesh, &mesh.pose, &paint, work[1], sizeof *work),
+                     GLINT_ERR_ARG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -294,6 +311,7 @@ int main(void)
         cmocka_unit_test(a_mesh_at_an_odd_address_is_refused),
         cmocka_unit_test_setup_teardown(a_mesh_picture_without_an_argument_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(what_is_in_a_picture_is_not_added_again, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(meshes_of_two_formats_are_not_in_one_picture, set_up, nothing_drawn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

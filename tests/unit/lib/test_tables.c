@@ -167,6 +167,7 @@ static void what_cannot_be_packed_is_0_and_unpacks_to_no_surface(void **state)
         const bool is_packed = format == GLINT_NORMALS_INT8;
         assert_int_equal(glint_normals_pack((enum glint_normals)format, &up) != 0, is_packed);
         assert_int_equal(glint_normals_pack((enum glint_normals)format, &none), 0);
+        assert_int_equal(glint_normals_pack((enum glint_normals)format, NULL), 0);
         const struct glint_vec back = glint_normals_unpack((enum glint_normals)format, 0x7fff7fff);
         assert_int_equal(is_surface(back), is_packed);
     }

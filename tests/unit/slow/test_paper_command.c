@@ -96,6 +96,16 @@ static void a_signal_leaves_nothing(void **state)
     assert_int_equal(files_in("cut"), 2);
 }
 
+/* What holds a pipe's end is gone when the pipe has ended. */
+static void gnuplot_ends_with_the_command(void **state)
+{
+    (void)state;
+    run("mkdir ends; printf '#!/bin/sh\nexec 3>held\nkill -TERM $PPID\nsleep 2 3>&-\n: >lives\n' >ends/gnuplot; chmod "
+        "+x "
+        "ends/gnuplot; mkfifo held; cat held & PATH=$PWD/ends:$PATH; $GLINT paper -o unplotted --only fig3; wait");
+    assert_false(exists("lives"));
+}
+
 static void a_folder_that_exists_keeps_other_files(void **state)
 {
     (void)state;
@@ -153,6 +163,7 @@ int main(void)
         cmocka_unit_test(when_the_disk_is_full_no_folder_is_left),
         cmocka_unit_test(when_the_disk_is_full_a_folder_that_exists_keeps_its_files),
         cmocka_unit_test(a_signal_leaves_nothing),
+        cmocka_unit_test(gnuplot_ends_with_the_command),
         cmocka_unit_test(a_folder_that_exists_keeps_other_files),
         cmocka_unit_test(a_folder_in_a_files_place_is_named),
         cmocka_unit_test(plots_are_pictures_and_lie_in_the_report),
