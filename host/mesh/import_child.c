@@ -16,6 +16,7 @@
 
 #include "base/memory.h"
 #include "glint_mesh.h"
+#include "mesh/gltf_check.h"
 #include "mesh/import_files.h"
 #include "mesh/import_obj.h"
 #include "mesh/import_picture.h"
@@ -203,8 +204,11 @@ static struct import_head head_of(const struct aiScene *scene, bool is_stl)
     struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = scene->mMeshes[i];
+        const uint64_t before = head.face_count;
         for (unsigned k = 0; k < mesh->mNumFaces; k++)
             head.face_count += mesh->mFaces[k].mNumIndices == 3;
+        if (head.face_count == before)
+            continue; /* points and lines */
         head.has_normals &= mesh->mNormals != NULL;
         head.has_uv |= mesh->mTextureCoords[0] != NULL;
         head.has_colors |= mesh->mColors[0] != NULL && !is_stl;
@@ -255,22 +259,25 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-/* libassimp believes what a file says of its own length. */
-static const char *check_file(const struct import_source *source)
+/* libassimp believes what a file says of its own length, and misreads what of a glTF it does not know. */
+static const char *check_file(const struct import_source *source, bool is_gltf, uint64_t *triangles)
 {
     size_t len = source->len;
     const char *wrong = NULL;
-    if (strcmp(source->ending, ".ply") != 0)
+    if (!is_gltf && strcmp(source->ending, ".ply") != 0)
         return NULL;
     import_files(source);
     FILE *stream = source->bytes ? NULL : import_files_open(source->path, &len, &wrong);
     char *bytes = stream ? import_files_read_all(stream, &len) : source->bytes;
     if (bytes)
-        wrong = ply_check(bytes, len);
+        wrong = is_gltf ? gltf_check(bytes, len, triangles) : ply_check(bytes, len);
     if (stream)
         free(bytes);
     return wrong;
 }
+
+static const char no_such_vertex[] =
+    "a face names a vertex that the file does not have; repair the mesh, or export it again";
 
 /* It believes faces, too. */
 static bool names_what_is_there(const struct aiScene *scene)
@@ -283,12 +290,53 @@ static bool names_what_is_there(const struct aiScene *scene)
     return true;
 }
 
-/* NULL: *wrong says why, or where it is NULL libassimp. */
-static const struct aiScene *read_scene(const struct import_source *of, const char **wrong)
+/* Which meshes are mirrored by the nodes that have them, and which are not. */
+enum { MIRRORED = 1, PLAIN = 2, FLAT = 4 };
+
+static void find_mirrored(const struct aiNode *node, double parent, uint8_t *ways)
+{
+    const struct aiMatrix4x4 *m = &node->mTransformation;
+    const double a[3] = {(double)m->a1, (double)m->a2, (double)m->a3},
+                 b[3] = {(double)m->b1, (double)m->b2, (double)m->b3},
+                 c[3] = {(double)m->c1, (double)m->c2, (double)m->c3};
+    double normal[3];
+    mesh_cross(a, b, normal);
+    const double scale = parent * mesh_dot(normal, c), sign = scale > 0 ? 1 : scale < 0 ? -1 : 0;
+    for (unsigned i = 0; i < node->mNumMeshes; i++)
+        ways[node->mMeshes[i]] |= sign > 0 ? PLAIN : sign < 0 ? MIRRORED : FLAT;
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        find_mirrored(node->mChildren[i], sign, ways);
+}
+
+/* libassimp moves what is mirrored, but leaves its triangles' corners in their order. */
+static bool turn_mirrored(const struct aiScene *scene)
+{
+    uint8_t *ways = allocate(scene->mNumMeshes + 1, 1);
+    bool good = true;
+    find_mirrored(scene->mRootNode, 1, ways);
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *mesh = scene->mMeshes[i];
+        good = good && (ways[i] == 0 || ways[i] == PLAIN || ways[i] == MIRRORED);
+        for (unsigned k = 0; k < mesh->mNumFaces && ways[i] == MIRRORED; k++) {
+            const struct aiFace *face = &mesh->mFaces[k];
+            if (face->mNumIndices != 3)
+                continue;
+            const unsigned corner = face->mIndices[1];
+            face->mIndices[1] = face->mIndices[2];
+            face->mIndices[2] = corner;
+        }
+    }
+    free(ways);
+    return good;
+}
+
+/* NULL: *wrong says why, or where it is NULL libassimp. Of a glTF *triangles is how many there should be. */
+static const struct aiScene *read_scene(const struct import_source *of, bool is_gltf, uint64_t *triangles,
+                                        const char **wrong)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
-    *wrong = check_file(of);
+    *wrong = check_file(of, is_gltf, triangles);
     if (*wrong)
         return NULL;
     source = *of;
@@ -297,7 +345,9 @@ static const struct aiScene *read_scene(const struct import_source *of, const ch
     snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
     const struct aiScene *scene = lib.aiImportFileEx(of->path ? of->path : input, 0, files);
     if (scene && !names_what_is_there(scene))
-        *wrong = "a face names a vertex that the file does not have; repair the mesh, or export it again";
+        *wrong = no_such_vertex;
+    else if (scene && is_gltf && !turn_mirrored(scene))
+        *wrong = "it has parts that are mirrored and not, or flat; apply their transforms before you export it";
     return scene && !*wrong ? lib.aiApplyPostProcessing(scene, steps) : NULL;
 }
 
@@ -332,7 +382,8 @@ void import_child(const struct import_source *source, int out)
         return;
     }
     const char *wrong;
-    const struct aiScene *scene = read_scene(source, &wrong);
+    uint64_t triangles = 0;
+    const struct aiScene *scene = read_scene(source, linear, &triangles, &wrong);
     if (!scene && wrong)
         send_message(out, wrong);
     else if (!scene)
@@ -340,6 +391,10 @@ void import_child(const struct import_source *source, int out)
     if (!scene)
         return;
     struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
+    if (linear && head.face_count != triangles) { /* libassimp leaves out those of a glTF */
+        send_message(out, no_such_vertex);
+        return;
+    }
     struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);
     struct placing *placings = allocate(scene->mNumMaterials + 1, sizeof *placings);
     struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, 2 * sizeof *pictures.of)};
