@@ -199,22 +199,20 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
 }
 
 /* What libassimp makes of an STL's colours of facets is not what is in the file. */
-static struct import_head head_of(const struct aiScene *scene, bool is_stl)
+static void add_scene(struct import_head *head, const struct aiScene *scene, bool is_stl)
 {
-    struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = scene->mMeshes[i];
-        const uint64_t before = head.face_count;
+        const uint64_t before = head->face_count;
         for (unsigned k = 0; k < mesh->mNumFaces; k++)
-            head.face_count += mesh->mFaces[k].mNumIndices == 3;
-        if (head.face_count == before)
+            head->face_count += mesh->mFaces[k].mNumIndices == 3;
+        if (head->face_count == before)
             continue; /* points and lines */
-        head.has_normals &= mesh->mNormals != NULL;
-        head.has_uv |= mesh->mTextureCoords[0] != NULL;
-        head.has_colors |= mesh->mColors[0] != NULL && !is_stl;
-        head.has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
+        head->has_normals &= mesh->mNormals != NULL;
+        head->has_uv |= mesh->mTextureCoords[0] != NULL;
+        head->has_colors |= mesh->mColors[0] != NULL && !is_stl;
+        head->has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
     }
-    return head;
 }
 
 /* The picture of a material's colour, if it has one. */
@@ -259,21 +257,19 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-/* libassimp believes what a file says of its own length, and misreads what of a glTF it does not know. */
-static const char *check_file(const struct import_source *source, bool is_gltf, uint64_t *triangles)
+/* libassimp believes what a file says of its own length, and misreads what of a glTF it does not know. It reads these bytes from now on. */
+static const char *check_file(struct import_source *source, bool is_gltf, uint64_t *triangles)
 {
-    size_t len = source->len;
     const char *wrong = NULL;
     if (!is_gltf && strcmp(source->ending, ".ply") != 0)
         return NULL;
     import_files(source);
-    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &len, &wrong);
-    char *bytes = stream ? import_files_read_all(stream, &len) : source->bytes;
-    if (bytes)
-        wrong = is_gltf ? gltf_check(bytes, len, triangles) : ply_check(bytes, len);
+    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &source->len, &wrong);
     if (stream)
-        free(bytes);
-    return wrong;
+        source->bytes = import_files_read_all(stream, &source->len);
+    if (wrong)
+        return wrong;
+    return is_gltf ? gltf_check(source->bytes, source->len, triangles) : ply_check(source->bytes, source->len);
 }
 
 static const char no_such_vertex[] =
@@ -290,10 +286,11 @@ static bool names_what_is_there(const struct aiScene *scene)
     return true;
 }
 
-/* Which meshes are mirrored by the nodes that have them, and which are not. */
-enum { MIRRORED = 1, PLAIN = 2, FLAT = 4 };
+/* How nodes place their meshes. */
+enum { PLAIN = 1, MIRRORED = 2, FLAT = 4 };
 
-static void find_mirrored(const struct aiNode *node, double parent, uint8_t *ways)
+/* The ways of a node and of those below it; `keep`: in which of them meshes stay. */
+static unsigned keep_ways(struct aiNode *node, double parent, unsigned keep)
 {
     const struct aiMatrix4x4 *m = &node->mTransformation;
     const double a[3] = {(double)m->a1, (double)m->a2, (double)m->a3},
@@ -301,54 +298,66 @@ static void find_mirrored(const struct aiNode *node, double parent, uint8_t *way
                  c[3] = {(double)m->c1, (double)m->c2, (double)m->c3};
     double normal[3];
     mesh_cross(a, b, normal);
-    const double scale = parent * mesh_dot(normal, c), sign = scale > 0 ? 1 : scale < 0 ? -1 : 0;
-    for (unsigned i = 0; i < node->mNumMeshes; i++)
-        ways[node->mMeshes[i]] |= sign > 0 ? PLAIN : sign < 0 ? MIRRORED : FLAT;
+    const double scale = parent * mesh_dot(normal, c);
+    const unsigned way = scale > 0 ? PLAIN : scale < 0 ? MIRRORED : FLAT;
+    unsigned ways = node->mNumMeshes ? way : 0;
+    if (!(way & keep))
+        node->mNumMeshes = 0;
     for (unsigned i = 0; i < node->mNumChildren; i++)
-        find_mirrored(node->mChildren[i], sign, ways);
+        ways |= keep_ways(node->mChildren[i], way == PLAIN ? 1 : way == MIRRORED ? -1 : 0, keep);
+    return ways;
 }
 
-/* libassimp moves what is mirrored, but leaves its triangles' corners in their order. */
-static bool turn_mirrored(const struct aiScene *scene)
+static void turn_triangles(const struct aiScene *scene)
 {
-    uint8_t *ways = allocate(scene->mNumMeshes + 1, 1);
-    bool good = true;
-    find_mirrored(scene->mRootNode, 1, ways);
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct aiMesh *mesh = scene->mMeshes[i];
-        good = good && (ways[i] == 0 || ways[i] == PLAIN || ways[i] == MIRRORED);
-        for (unsigned k = 0; k < mesh->mNumFaces && ways[i] == MIRRORED; k++) {
-            const struct aiFace *face = &mesh->mFaces[k];
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        for (unsigned k = 0; k < scene->mMeshes[i]->mNumFaces; k++) {
+            const struct aiFace *face = &scene->mMeshes[i]->mFaces[k];
             if (face->mNumIndices != 3)
                 continue;
             const unsigned corner = face->mIndices[1];
             face->mIndices[1] = face->mIndices[2];
             face->mIndices[2] = corner;
         }
-    }
-    free(ways);
-    return good;
 }
 
-/* NULL: *wrong says why, or where it is NULL libassimp. Of a glTF *triangles is how many there should be. */
-static const struct aiScene *read_scene(const struct import_source *of, bool is_gltf, uint64_t *triangles,
-                                        const char **wrong)
+static const struct aiScene *import_scene(const struct import_source *source, const char **wrong)
+{
+    struct aiFileIO *files = import_files(source);
+    char input[32];
+    snprintf(input, sizeof input, "%s%s", import_files_input, source->ending);
+    const struct aiScene *scene = lib.aiImportFileEx(source->path ? source->path : input, 0, files);
+    if (scene && !names_what_is_there(scene))
+        *wrong = no_such_vertex;
+    return *wrong ? NULL : scene;
+}
+
+/* libassimp moves what is mirrored, but leaves its triangles' corners in their order, and nodes may share a mesh. So a glTF with both is two
+ * scenes: of what is not mirrored, and of what is. Returns how many; 0: *wrong says why, or where it is NULL libassimp. Of a glTF *triangles is how many
+ * there should be. */
+static unsigned read_scenes(const struct import_source *of, bool is_gltf, const struct aiScene *scenes[2],
+                            uint64_t *triangles, const char **wrong)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
-    *wrong = check_file(of, is_gltf, triangles);
-    if (*wrong)
-        return NULL;
+    unsigned count = 0;
     source = *of;
-    struct aiFileIO *files = import_files(&source);
-    char input[32];
-    snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
-    const struct aiScene *scene = lib.aiImportFileEx(of->path ? of->path : input, 0, files);
-    if (scene && !names_what_is_there(scene))
-        *wrong = no_such_vertex;
-    else if (scene && is_gltf && !turn_mirrored(scene))
-        *wrong = "it has parts that are mirrored and not, or flat; apply their transforms before you export it";
-    return scene && !*wrong ? lib.aiApplyPostProcessing(scene, steps) : NULL;
+    *wrong = check_file(&source, is_gltf, triangles);
+    const struct aiScene *scene = *wrong ? NULL : import_scene(&source, wrong);
+    const unsigned ways = scene && is_gltf ? keep_ways(scene->mRootNode, 1, PLAIN | MIRRORED) : PLAIN;
+    if (ways & FLAT)
+        *wrong = "its nodes make parts flat; apply their transforms before you export it";
+    if (scene && ways == (PLAIN | MIRRORED)) {
+        keep_ways(scene->mRootNode, 1, PLAIN);
+        scenes[count++] = lib.aiApplyPostProcessing(scene, steps);
+        scene = scenes[0] ? import_scene(&source, wrong) : NULL;
+        if (scene)
+            keep_ways(scene->mRootNode, 1, MIRRORED);
+    }
+    if (scene && ways & MIRRORED)
+        turn_triangles(scene);
+    scenes[count++] = scene && !*wrong ? lib.aiApplyPostProcessing(scene, steps) : NULL;
+    return scenes[count - 1] ? count : 0;
 }
 
 /* libassimp quotes what it does not understand: of other files that is for nobody's eyes. The message names standard input already. */
@@ -383,14 +392,18 @@ void import_child(const struct import_source *source, int out)
     }
     const char *wrong;
     uint64_t triangles = 0;
-    const struct aiScene *scene = read_scene(source, linear, &triangles, &wrong);
-    if (!scene && wrong)
+    const struct aiScene *scenes[2];
+    const unsigned count = read_scenes(source, linear, scenes, &triangles, &wrong);
+    if (!count && wrong)
         send_message(out, wrong);
-    else if (!scene)
+    else if (!count)
         send_error(source, out);
-    if (!scene)
+    if (!count)
         return;
-    struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
+    const struct aiScene *scene = scenes[0]; /* materials are the same in both */
+    struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
+    for (unsigned i = 0; i < count; i++)
+        add_scene(&head, scenes[i], strcmp(source->ending, ".stl") == 0);
     if (linear && head.face_count != triangles) { /* libassimp leaves out those of a glTF */
         send_message(out, no_such_vertex);
         return;
@@ -417,12 +430,13 @@ void import_child(const struct import_source *source, int out)
         return; /* the parent says so */
     child_send(out, materials, scene->mNumMaterials * sizeof *materials);
     import_pictures_send(&pictures, out);
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct colors colors = colors_of(scene, scene->mMeshes[i], linear);
-        const unsigned part = scene->mMeshes[i]->mMaterialIndex;
-        send_faces(out, scene->mMeshes[i], &head, &colors,
-                   part < scene->mNumMaterials ? &placings[part] : &plain_placing);
-    }
+    for (unsigned i = 0; i < count; i++)
+        for (unsigned k = 0; k < scenes[i]->mNumMeshes; k++) {
+            const struct aiMesh *mesh = scenes[i]->mMeshes[k];
+            const struct colors colors = colors_of(scene, mesh, linear);
+            send_faces(out, mesh, &head, &colors,
+                       mesh->mMaterialIndex < scene->mNumMaterials ? &placings[mesh->mMaterialIndex] : &plain_placing);
+        }
 }
 
 #else

@@ -144,14 +144,17 @@ static void mirrored_parts_show_their_outer_side(void **state)
     (void)state;
     static const char by_hand[] =
         "s/\"NORMAL\":2/\"TEXCOORD_0\":3/;s/\"POSITION\":0/\"POSITION\":9/;s/\"indices\":1/\"indices\":8/";
-    static const char part[] = "it has parts that are mirrored and not, or flat; apply their transforms";
     assert_drawn_alike("s/\"NORMAL\":2/\"TEXCOORD_0\":3/;s/\"mesh\":0/&,\"scale\":[-1,1,1]/", by_hand);
     assert_drawn_alike("s/\"NORMAL\":2/\"TEXCOORD_0\":3/;"
                        "s/{\"mesh\":0}/{\"children\":[1],\"scale\":[1,1,-1]},{\"mesh\":0,\"scale\":[-1,1,-1]}/;"
                        "s/\"POSITION\":0/\"POSITION\":9/;s/\"indices\":1/\"indices\":8/",
                        "s/\"NORMAL\":2/\"TEXCOORD_0\":3/"); /* mirrored twice, by its parent, too, and by hand */
-    assert_edited_fails("s/{\"mesh\":0}/{\"children\":[1,2]},{\"mesh\":0},{\"mesh\":0,\"scale\":[-1,1,1]}/", part);
-    assert_edited_fails("s/\"mesh\":0/&,\"scale\":[1,1,0]/", part);
+    assert_drawn_alike("s/\"NORMAL\":2/\"TEXCOORD_0\":3/;"  /* one mesh, both ways */
+                       "s/{\"mesh\":0}/{\"children\":[1,2]},{\"mesh\":0},{\"mesh\":0,\"scale\":[-1,1,1]}/",
+                       "s/\"NORMAL\":2/\"TEXCOORD_0\":3/;"
+                       "s/\"indices\":1}/&,{\"attributes\":{\"POSITION\":9,\"TEXCOORD_0\":3},\"indices\":8}/");
+    assert_edited_fails("s/\"mesh\":0/&,\"scale\":[1,1,0]/",
+                        "its nodes make parts flat; apply their transforms before you export it");
 }
 
 static void points_and_lines_take_no_normals_away(void **state)
