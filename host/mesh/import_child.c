@@ -16,6 +16,7 @@
 
 #include "base/memory.h"
 #include "glint_mesh.h"
+#include "mesh/gltf_check.h"
 #include "mesh/import_files.h"
 #include "mesh/import_obj.h"
 #include "mesh/import_picture.h"
@@ -198,19 +199,20 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
 }
 
 /* What libassimp makes of an STL's colours of facets is not what is in the file. */
-static struct import_head head_of(const struct aiScene *scene, bool is_stl)
+static void add_scene(struct import_head *head, const struct aiScene *scene, bool is_stl)
 {
-    struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
     for (unsigned i = 0; i < scene->mNumMeshes; i++) {
         const struct aiMesh *mesh = scene->mMeshes[i];
+        const uint64_t before = head->face_count;
         for (unsigned k = 0; k < mesh->mNumFaces; k++)
-            head.face_count += mesh->mFaces[k].mNumIndices == 3;
-        head.has_normals &= mesh->mNormals != NULL;
-        head.has_uv |= mesh->mTextureCoords[0] != NULL;
-        head.has_colors |= mesh->mColors[0] != NULL && !is_stl;
-        head.has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
+            head->face_count += mesh->mFaces[k].mNumIndices == 3;
+        if (head->face_count == before)
+            continue; /* points and lines */
+        head->has_normals &= mesh->mNormals != NULL;
+        head->has_uv |= mesh->mTextureCoords[0] != NULL;
+        head->has_colors |= mesh->mColors[0] != NULL && !is_stl;
+        head->has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
     }
-    return head;
 }
 
 /* The picture of a material's colour, if it has one. */
@@ -255,22 +257,23 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-/* libassimp believes what a file says of its own length. */
-static const char *check_file(const struct import_source *source)
+/* libassimp believes what a file says of its own length, and misreads what of a glTF it does not know. It reads these bytes from now on. */
+static const char *check_file(struct import_source *source, bool is_gltf, uint64_t *triangles)
 {
-    size_t len = source->len;
     const char *wrong = NULL;
-    if (strcmp(source->ending, ".ply") != 0)
+    if (!is_gltf && strcmp(source->ending, ".ply") != 0)
         return NULL;
     import_files(source);
-    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &len, &wrong);
-    char *bytes = stream ? import_files_read_all(stream, &len) : source->bytes;
-    if (bytes)
-        wrong = ply_check(bytes, len);
+    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &source->len, &wrong);
     if (stream)
-        free(bytes);
-    return wrong;
+        source->bytes = import_files_read_all(stream, &source->len);
+    if (wrong)
+        return wrong;
+    return is_gltf ? gltf_check(source->bytes, source->len, triangles) : ply_check(source->bytes, source->len);
 }
+
+static const char no_such_vertex[] =
+    "a face names a vertex that the file does not have; repair the mesh, or export it again";
 
 /* It believes faces, too. */
 static bool names_what_is_there(const struct aiScene *scene)
@@ -283,22 +286,78 @@ static bool names_what_is_there(const struct aiScene *scene)
     return true;
 }
 
-/* NULL: *wrong says why, or where it is NULL libassimp. */
-static const struct aiScene *read_scene(const struct import_source *of, const char **wrong)
+/* How nodes place their meshes. */
+enum { PLAIN = 1, MIRRORED = 2, FLAT = 4 };
+
+/* The ways of a node and of those below it; `keep`: in which of them meshes stay. */
+static unsigned keep_ways(struct aiNode *node, double parent, unsigned keep)
+{
+    const struct aiMatrix4x4 *m = &node->mTransformation;
+    const double a[3] = {(double)m->a1, (double)m->a2, (double)m->a3},
+                 b[3] = {(double)m->b1, (double)m->b2, (double)m->b3},
+                 c[3] = {(double)m->c1, (double)m->c2, (double)m->c3};
+    double normal[3];
+    mesh_cross(a, b, normal);
+    const double scale = parent * mesh_dot(normal, c);
+    const unsigned way = scale > 0 ? PLAIN : scale < 0 ? MIRRORED : FLAT;
+    unsigned ways = node->mNumMeshes ? way : 0;
+    if (!(way & keep))
+        node->mNumMeshes = 0;
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        ways |= keep_ways(node->mChildren[i], way == PLAIN ? 1 : way == MIRRORED ? -1 : 0, keep);
+    return ways;
+}
+
+static void turn_triangles(const struct aiScene *scene)
+{
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        for (unsigned k = 0; k < scene->mMeshes[i]->mNumFaces; k++) {
+            const struct aiFace *face = &scene->mMeshes[i]->mFaces[k];
+            if (face->mNumIndices != 3)
+                continue;
+            const unsigned corner = face->mIndices[1];
+            face->mIndices[1] = face->mIndices[2];
+            face->mIndices[2] = corner;
+        }
+}
+
+static const struct aiScene *import_scene(const struct import_source *source, const char **wrong)
+{
+    struct aiFileIO *files = import_files(source);
+    char input[32];
+    snprintf(input, sizeof input, "%s%s", import_files_input, source->ending);
+    const struct aiScene *scene = lib.aiImportFileEx(source->path ? source->path : input, 0, files);
+    if (scene && !names_what_is_there(scene))
+        *wrong = no_such_vertex;
+    return *wrong ? NULL : scene;
+}
+
+/* libassimp moves what is mirrored, but leaves its triangles' corners in their order, and nodes may share a mesh. So a glTF with both is two
+ * scenes: of what is not mirrored, and of what is. Returns how many; 0: *wrong says why, or where it is NULL libassimp. Of a glTF *triangles is how many
+ * there should be. */
+static unsigned read_scenes(const struct import_source *of, bool is_gltf, const struct aiScene *scenes[2],
+                            uint64_t *triangles, const char **wrong)
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
-    *wrong = check_file(of);
-    if (*wrong)
-        return NULL;
+    unsigned count = 0;
     source = *of;
-    struct aiFileIO *files = import_files(&source);
-    char input[32];
-    snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);
-    const struct aiScene *scene = lib.aiImportFileEx(of->path ? of->path : input, 0, files);
-    if (scene && !names_what_is_there(scene))
-        *wrong = "a face names a vertex that the file does not have; repair the mesh, or export it again";
-    return scene && !*wrong ? lib.aiApplyPostProcessing(scene, steps) : NULL;
+    *wrong = check_file(&source, is_gltf, triangles);
+    const struct aiScene *scene = *wrong ? NULL : import_scene(&source, wrong);
+    const unsigned ways = scene && is_gltf ? keep_ways(scene->mRootNode, 1, PLAIN | MIRRORED) : PLAIN;
+    if (ways & FLAT)
+        *wrong = "its nodes make parts flat; apply their transforms before you export it";
+    if (scene && ways == (PLAIN | MIRRORED)) {
+        keep_ways(scene->mRootNode, 1, PLAIN);
+        scenes[count++] = lib.aiApplyPostProcessing(scene, steps);
+        scene = scenes[0] ? import_scene(&source, wrong) : NULL;
+        if (scene)
+            keep_ways(scene->mRootNode, 1, MIRRORED);
+    }
+    if (scene && ways & MIRRORED)
+        turn_triangles(scene);
+    scenes[count++] = scene && !*wrong ? lib.aiApplyPostProcessing(scene, steps) : NULL;
+    return scenes[count - 1] ? count : 0;
 }
 
 /* libassimp quotes what it does not understand: of other files that is for nobody's eyes. The message names standard input already. */
@@ -332,14 +391,23 @@ void import_child(const struct import_source *source, int out)
         return;
     }
     const char *wrong;
-    const struct aiScene *scene = read_scene(source, &wrong);
-    if (!scene && wrong)
+    uint64_t triangles = 0;
+    const struct aiScene *scenes[2];
+    const unsigned count = read_scenes(source, linear, scenes, &triangles, &wrong);
+    if (!count && wrong)
         send_message(out, wrong);
-    else if (!scene)
+    else if (!count)
         send_error(source, out);
-    if (!scene)
+    if (!count)
         return;
-    struct import_head head = head_of(scene, strcmp(source->ending, ".stl") == 0);
+    const struct aiScene *scene = scenes[0]; /* materials are the same in both */
+    struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
+    for (unsigned i = 0; i < count; i++)
+        add_scene(&head, scenes[i], strcmp(source->ending, ".stl") == 0);
+    if (linear && head.face_count != triangles) { /* libassimp leaves out those of a glTF */
+        send_message(out, no_such_vertex);
+        return;
+    }
     struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);
     struct placing *placings = allocate(scene->mNumMaterials + 1, sizeof *placings);
     struct import_pictures pictures = {scene, source, 0, allocate(scene->mNumMaterials, 2 * sizeof *pictures.of)};
@@ -362,12 +430,13 @@ void import_child(const struct import_source *source, int out)
         return; /* the parent says so */
     child_send(out, materials, scene->mNumMaterials * sizeof *materials);
     import_pictures_send(&pictures, out);
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct colors colors = colors_of(scene, scene->mMeshes[i], linear);
-        const unsigned part = scene->mMeshes[i]->mMaterialIndex;
-        send_faces(out, scene->mMeshes[i], &head, &colors,
-                   part < scene->mNumMaterials ? &placings[part] : &plain_placing);
-    }
+    for (unsigned i = 0; i < count; i++)
+        for (unsigned k = 0; k < scenes[i]->mNumMeshes; k++) {
+            const struct aiMesh *mesh = scenes[i]->mMeshes[k];
+            const struct colors colors = colors_of(scene, mesh, linear);
+            send_faces(out, mesh, &head, &colors,
+                       mesh->mMaterialIndex < scene->mNumMaterials ? &placings[mesh->mMaterialIndex] : &plain_placing);
+        }
 }
 
 #else

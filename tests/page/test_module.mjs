@@ -351,6 +351,22 @@ run([
         }
         check(engine.draw(['--scene=teapot', '--size=20x20']).width === 20, 'the next picture')
     }],
+    ['a glTF that says what libassimp does not make of it is refused by the command and by the page', () => {
+        const engine = new Engine(program), { places, normals, indices } = ball(), target = json => { json.meshes[0].primitives[0].targets = [{ POSITION: 0 }] }
+        const changes = [[json => { json.extensionsRequired = ['EXT_meshopt_compression'] }, /needs EXT_meshopt_compression; export it without/],
+            [json => { json.nodes[0].skin = 0 }, /has a skeleton; export it without/], [json => { json.accessors[1].componentType = 5123 }, /has numbers of a kind .*; export it with floats/],
+            [json => { json.accessors[1].count-- }, /is damaged; export it again/], [json => { json.accessors[0].byteOffset = 12 }, /is damaged; export it again/],
+            [json => { json.accessors[0].count = json.accessors[1].count -= 9 }, /is damaged; export it again|names a vertex that the file does not have/],
+            [json => { target(json), json.meshes[0].weights = [.5] }, /has parts of different kinds|its morph targets have weights/]]
+        for (const [change, sentence] of changes) {
+            const json = JSON.parse(gltf([{ places, normals, indices }], {}, [], true))
+            change(json)
+            const bytes = Buffer.from(JSON.stringify(json))
+            command.put('wrong.gltf', bytes)
+            for (const said of [command.refusal(['render', '--mesh=wrong.gltf', '--size=20x20', '-o', 'no.png']), refusal(() => engine.addMesh('wrong.gltf', new Uint8Array(bytes)))])
+                check(sentence.test(said) && said.startsWith('wrong.gltf: '), `it says ${said}, not ${sentence}`)
+        }
+    }],
     ['a wrong mesh gives a sentence, where the command has one the same', () => {
         const engine = new Engine(program), whole = meshes['ring.stl']
         const nan = Buffer.from(whole)
