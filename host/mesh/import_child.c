@@ -255,21 +255,17 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
-/* libassimp believes what a file says of its own length. */
-static const char *check_file(const struct import_source *source)
+/* libassimp believes what a file says of its own length, and reads these bytes from now on. */
+static const char *check_file(struct import_source *source)
 {
-    size_t len = source->len;
     const char *wrong = NULL;
     if (strcmp(source->ending, ".ply") != 0)
         return NULL;
     import_files(source);
-    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &len, &wrong);
-    char *bytes = stream ? import_files_read_all(stream, &len) : source->bytes;
-    if (bytes)
-        wrong = ply_check(bytes, len);
+    FILE *stream = source->bytes ? NULL : import_files_open(source->path, &source->len, &wrong);
     if (stream)
-        free(bytes);
-    return wrong;
+        source->bytes = import_files_read_all(stream, &source->len);
+    return wrong ? wrong : ply_check(source->bytes, source->len);
 }
 
 /* It believes faces, too. */
@@ -288,10 +284,10 @@ static const struct aiScene *read_scene(const struct import_source *of, const ch
 {
     const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
-    *wrong = check_file(of);
+    source = *of;
+    *wrong = check_file(&source);
     if (*wrong)
         return NULL;
-    source = *of;
     struct aiFileIO *files = import_files(&source);
     char input[32];
     snprintf(input, sizeof input, "%s%s", import_files_input, of->ending);

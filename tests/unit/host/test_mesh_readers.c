@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: MIT
+ * Files of meshes as programs write them, and damaged ones: what is read as it is meant, and what is refused or left out with one line. */
+#include "files.h"
+
+#if GLINT_WITH_MESH
+/* `made` makes the file made.* of the ending that `from` has, and bake makes the same of both. */
+static void assert_same_mesh(const char *from, const char *made)
+{
+    char line[1000];
+    snprintf(line, sizeof line,
+             "$GLINT bake --mesh %s --as raw -o wanted.bin >report && { %s; } && "
+             "$GLINT bake --mesh made.${from##*.} --as raw -o made.bin >report && cmp wanted.bin made.bin",
+             from, made);
+    setenv("from", from, 1);
+    assert_quiet(line);
+}
+
+/* ---- PLY ---- */
+
+#define PLY_VERTICES "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+#define PLY_FACES "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+
+/* Beside colours, which are drawn. */
+static void a_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state)
+{
+    (void)state;
+    static const char *const edits[] = {
+        /* columns, with a property and without */
+        "s/^element face/property float quality\\nproperty uchar kind\\n&/; s/^[^pef3].*[0-9]$/& .5 255/",
+        "s/^property float x/property double confidence\\n&/; s/^[0-9] [0-9] [0-9]$/1 &/", "s/^[0-9] [0-9] [0-9]$/& 9/",
+        "s/^3 .*/& 255 0 9/", "s/^end_header/property uchar red\\n&/; s/^3 .*/& 255/",
+        "s/^property list/property int flags\\n&/; s/^3 /7 &/",
+        /* lines of a header among properties and before them */
+        "s/^property float [xyz]/comment of a program\\n&/", "s/^property float y/obj_info 4 of them\\n\\n &/",
+        "s/^property/\\n&/", "s/^property/ \\t \\n&/", "s/^property list/comment 1\\nobj_info vertex 1\\n&/",
+        "s/^format/comment first\\n&/", "s/^element/comment 2 vertices\\n&/", "s/^end_header/comment\\n\\n&/",
+        /* elements that nothing is made of, and empty lines */
+        "s/^element face/element edge 1\\nproperty int vertex1\\n&/; s/^3 0 1 2/1\\n&/",
+        "s/^end_header/element camera 1\\nproperty float view_px\\n&/; $s/$/\\n9/",
+        "s/^element face/element camera 0\\n&/", "s/^[0-9].*/\\n&\\n/"};
+    write_text("a.ply", PLY_VERTICES PLY_FACES "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n");
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        char made[300];
+        snprintf(made, sizeof made, "sed '%s' a.ply >made.ply && ! cmp -s a.ply made.ply", edits[i]);
+        assert_same_mesh("a.ply", made);
+    }
+    assert_same_mesh("a.ply",
+                     "long=$(printf '%5000s' | tr ' ' x) && sed \"s/^property/comment $long\\n&/\" a.ply >made.ply");
+}
+
+/* Vertices have a float and a byte that nothing is made of. */
+static void a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"binary_little_endian", "binary_big_endian"};
+    for (int big = 0; big < 2; big++) {
+        FILE *file = fopen("made.bin.ply", "wb");
+        assert_non_null(file);
+        fprintf(
+            file,
+            "ply\ncomment first\nformat %s 1.0\nobj_info 4\nelement vertex 4\ncomment of places\nproperty float x\n\n"
+            "obj_info y\nproperty float y\nproperty float z\nproperty float quality\nproperty uchar kind\n"
+            "element face 2\ncomment 3\nproperty list uchar int vertex_indices\ncomment last\nend_header\n",
+            formats[big]);
+        for (unsigned i = 0; i < 16; i++) {
+            const uint32_t tops[16] = {0, 0,          0, 0x41, 0x40000000, 0,          0,          0x42,
+                                       0, 0x3f800000, 0, 0x43, 0x40000000, 0x40000000, 0x3f800000, 0x44};
+            const uint32_t bits = big ? __builtin_bswap32(tops[i]) : tops[i];
+            fwrite(&bits, 4, 1, file);
+            if (i % 4 == 3)
+                fputc(255, file);
+        }
+        for (unsigned i = 0; i < 6; i++) {
+            const uint32_t index = (uint32_t[]){0, 1, 2, 1, 2, 3}[i];
+            if (i % 3 == 0)
+                fputc(3, file);
+            fwrite(&(uint32_t){big ? __builtin_bswap32(index) : index}, 4, 1, file);
+        }
+        assert_int_equal(fclose(file), 0);
+        assert_same_mesh("a.ply", "cp made.bin.ply made.ply");
+    }
+}
+
+static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **state)
+{
+    (void)state;
+    static const char *const edits[][2] = {
+        {"s/^0 1 0/0 1\\n0/", "a line of its data has too few numbers"},
+        {"s/^3 0 1 2/3 0 1\\n2/", "a line of its data has too few numbers"},
+        {"/^0 0 0/N; s/^0 0 0\\n/0 0 0 /", "it ends before all that its header promises"},
+        {"s/^element face/element camera 1\\nproperty float view_px\\n&/; s/^3 0 1 2/9\\n&/",
+         "libassimp does not know an element that stands before others"},
+        {"s/^property float y/comment TextureFile a.png\\n&/",
+         "a comment that names a texture stands among properties"}};
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        char line[300];
+        snprintf(line, sizeof line, "sed '%s' a.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", edits[i][0]);
+        assert_fails(line, edits[i][1]);
+    }
+    assert_false(exists("no.c"));
+}
+#endif
+
+static void nothing_is_left_behind(void **state)
+{
+    (void)state;
+    assert_false(exists("no.c") || exists("no.h") || exists("no.ppm"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+#if GLINT_WITH_MESH
+        cmocka_unit_test(a_ply_is_read_whatever_it_holds_beside_places_and_faces),
+        cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
+        cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
+#endif
+        cmocka_unit_test(nothing_is_left_behind),
+    };
+    return cmocka_run_group_tests_name("mesh readers", tests, scratch_make, scratch_remove);
+}
