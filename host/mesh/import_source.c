@@ -31,6 +31,24 @@ static const char *ending_of(const char *path)
          path);
 }
 
+/* For what does not begin as its name says libassimp looks among all its readers, and no check of ours fits these. STL and PLY have one reader each, by
+ * name. */
+static void check_beginning(const char *path, const char *ending)
+{
+    char bytes[256] = "";
+    FILE *file = ending == gltf || ending == glb ? fopen(path, "rb") : NULL;
+    if (!file)
+        return; /* or the child says why it cannot be opened */
+    const char *at = bytes, *const end = bytes + fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    if (memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
+        at += 3;
+    while (at < end && isspace((unsigned char)*at))
+        at++;
+    if (ending == gltf ? at == end || *at != '{' : memcmp(bytes, "glTF", 4) != 0)
+        fail("%s: does not begin as a %s does; give it the ending of its format", path, ending);
+}
+
 static void check_file(const char *path)
 {
     struct stat status;
@@ -129,6 +147,7 @@ struct import_source *import_source_open(const char *path)
     } else {
         *source = (struct import_source){.name = path, .path = path, .ending = ending_of(path)};
         check_file(path);
+        check_beginning(path, source->ending);
     }
     return source;
 }

@@ -99,6 +99,30 @@ static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **s
     }
     assert_false(exists("no.c"));
 }
+
+/* ---- other files ---- */
+
+/* libassimp would read them, unchecked. */
+static void a_gltf_that_begins_as_another_format_is_refused(void **state)
+{
+    (void)state;
+    write_text("a.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_text("a.stl", "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0 1\nendloop\n"
+                        "endfacet\nendsolid a\n");
+    write_text("a.text", "glT");
+    write_text("a.blank", " \n \n");
+    write_text("a.loop",
+               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\npropererty list uchar i\n 0 0 2 3\n");
+    static const char *const files[] = {"obj", "stl", "ply", "text", "blank", "loop"}, *const endings[] = {"gltf",
+                                                                                                           "glb"};
+    for (size_t i = 0; i < 2 * sizeof files / sizeof *files; i++) {
+        char line[200], wanted[100];
+        snprintf(line, sizeof line, "cp a.%s b.%s && $GLINT bake --mesh b.%s -o no.c", files[i / 2], endings[i % 2],
+                 endings[i % 2]);
+        snprintf(wanted, sizeof wanted, "b.%s: does not begin as a .%s does", endings[i % 2], endings[i % 2]);
+        assert_fails(line, wanted);
+    }
+}
 #endif
 
 static void nothing_is_left_behind(void **state)
@@ -114,6 +138,7 @@ int main(void)
         cmocka_unit_test(a_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
+        cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
 #endif
         cmocka_unit_test(nothing_is_left_behind),
     };
