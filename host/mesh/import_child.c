@@ -22,6 +22,7 @@
 #include "base/child.h"
 #include "mesh/import_texture.h"
 #include "mesh/ply_check.h"
+#include "mesh/stl_check.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
@@ -259,13 +260,16 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
 static const char *check_file(struct import_source *source)
 {
     const char *wrong = NULL;
-    if (strcmp(source->ending, ".ply") != 0)
+    const bool is_ply = strcmp(source->ending, ".ply") == 0;
+    if (!is_ply && strcmp(source->ending, ".stl") != 0)
         return NULL;
     import_files(source);
     FILE *stream = source->bytes ? NULL : import_files_open(source->path, &source->len, &wrong);
     if (stream)
         source->bytes = import_files_read_all(stream, &source->len);
-    return wrong ? wrong : ply_check(source->bytes, source->len);
+    if (wrong)
+        return wrong;
+    return is_ply ? ply_check(source->bytes, source->len) : stl_check(source->bytes, source->len);
 }
 
 /* It believes faces, too. */

@@ -14,8 +14,9 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
+#include "mesh/stl_check.h"
 
-enum { FILE_MAX_MB = 256, FIRST_BYTES = 1 << 16, STL_HEAD = 84, STL_FACET = 50 };
+enum { FILE_MAX_MB = 256, FIRST_BYTES = 1 << 16 };
 static const char obj[] = ".obj", stl[] = ".stl", ply[] = ".ply", gltf[] = ".gltf", glb[] = ".glb";
 static const char *const endings[] = {obj, stl, ply, gltf, glb};
 
@@ -87,15 +88,6 @@ static void read_input(struct import_source *source)
         fail("%s: is empty; send a mesh", source->name);
 }
 
-/* A binary STL has as many bytes as the count after its comment says. The comment may begin as a text STL does. */
-static bool is_binary_stl(const struct import_source *source)
-{
-    uint64_t count = 0;
-    for (int i = 3; source->len >= STL_HEAD && i >= 0; i--)
-        count = count << 8 | (uint8_t)source->bytes[STL_HEAD - 4 + i];
-    return source->len >= STL_HEAD && source->len == STL_HEAD + STL_FACET * count;
-}
-
 /* Whether a line begins with `word`, after blanks, and a blank follows. */
 static bool has_line(const struct import_source *source, const char *word)
 {
@@ -120,7 +112,7 @@ static const char *ending_by_bytes(const struct import_source *source)
         return glb;
     if (len >= 4 && memcmp(at, "ply", 3) == 0 && isspace((unsigned char)at[3]))
         return ply;
-    if (is_binary_stl(source) || (has_line(source, "facet") && has_line(source, "vertex")))
+    if (stl_is_binary(at, len) || (has_line(source, "facet") && has_line(source, "vertex")))
         return stl;
     if (memchr(at, 0, len) == NULL) {
         size_t blanks = 0;

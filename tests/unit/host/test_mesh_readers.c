@@ -100,6 +100,41 @@ static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **s
     assert_false(exists("no.c"));
 }
 
+/* ---- STL ---- */
+
+#define FACET(z) "facet normal 0 0 1\nouter loop\nvertex 0 0 " #z "\nvertex 0 1 1\nvertex 2 0 0\nendloop\nendfacet\n"
+
+static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **state)
+{
+    (void)state;
+    static const char text[] = "solid a\n" FACET(0) "endsolid a\nsolid b\n" FACET(1) FACET(2) "endsolid b";
+    static const char *const whole[] = {"s/solid.*/solid/",
+                                        "s/^/  /; $s/$/ \\t \\r\\n\\n \\n/",
+                                        "s/$/\\r/",
+                                        "s/endsolid/ENDSOLID/",
+                                        "s/endsolid/end solid/",
+                                        "$s/$/\\nfacets: 3/",
+                                        "s/\\(.*solid\\).*/\\1 facet solid/",
+                                        "/^endsolid a/d; /^solid b/d",
+                                        "$s/$/\\x00\\x00/"};
+    write_text("a.stl", text);
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
+        char made[200];
+        snprintf(made, sizeof made, "sed '%s' a.stl >made.stl && ! cmp -s a.stl made.stl", whole[i]);
+        assert_same_mesh("a.stl", made);
+    }
+    const size_t ends[] = {(size_t)(strstr(text, "endsolid a") - text), strlen(text) - 2};
+    for (size_t cut = 9; cut < ends[1]; cut += 9) {
+        char line[200];
+        if (cut >= ends[0] + 8 && cut < ends[0] + strlen("endsolid a\nsolid"))
+            continue; /* a whole solid */
+        snprintf(line, sizeof line, "head -c %zu a.stl >cut.stl && $GLINT bake --mesh cut.stl -o no.c", cut);
+        assert_fails(line, "cut.stl: libassimp cannot read this mesh: it ends without endsolid: a part is missing");
+    }
+    write_text("cut.stl", "solid a\nendsolid a\n");
+    assert_fails("$GLINT bake --mesh cut.stl -o no.c", "it has no facets");
+}
+
 /* ---- other files ---- */
 
 /* libassimp would read them, unchecked. */
@@ -138,6 +173,7 @@ int main(void)
         cmocka_unit_test(a_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
+        cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
 #endif
         cmocka_unit_test(nothing_is_left_behind),

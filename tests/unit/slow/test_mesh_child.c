@@ -166,7 +166,8 @@ static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
                          ->status,
                      0);
     static const char facet[] =
-        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+        "endsolid a\n";
     write_text("crash.stl", facet);
     write_text("quit.stl", facet);
     write_text("other.stl", facet);
