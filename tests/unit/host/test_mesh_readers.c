@@ -158,6 +158,43 @@ static void a_gltf_that_begins_as_another_format_is_refused(void **state)
         assert_fails(line, wanted);
     }
 }
+
+/* ---- textures and normals ---- */
+
+/* A copy of it a colour: 72 million pixels. */
+static void textures_in_many_colours_have_a_limit_of_memory(void **state)
+{
+    (void)state;
+    enum { SIDE = 2048, MATERIALS = 18 };
+    uint16_t *samples = calloc(SIDE * SIDE, sizeof *samples);
+    assert_non_null(samples);
+    make_png("big.png", &(struct made_png){.width = SIDE, .height = SIDE, .bits = 1, .samples = samples});
+    free(samples);
+    FILE *obj = fopen("many.obj", "w"), *mtl = fopen("many.mtl", "w");
+    assert_true(obj && mtl);
+    fputs("mtllib many.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n", obj);
+    for (int i = 0; i < MATERIALS; i++) {
+        fprintf(obj, "usemtl m%d\nf 1/1 2/2 3/3\n", i);
+        fprintf(mtl, "newmtl m%d\nKd %g .5 .5\nmap_Kd big.png\n", i, (1 + i % 17) / 20.);
+    }
+    assert_int_equal(fclose(obj) | fclose(mtl), 0);
+    assert_fails("$GLINT render --mesh many.obj --size 9x9 -o no.ppm",
+                 "many.obj: its textures, one for each colour of a material, have more than 67108864 pixels");
+    assert_quiet("$GLINT render --mesh many.obj --no-textures --size 9x9 -o many.ppm");
+}
+
+static void places_in_a_picture_matter_only_where_there_is_one(void **state)
+{
+    (void)state;
+    uint16_t samples[4] = {0, 99, 200, 255};
+    make_png("small.png", &(struct made_png){.width = 2, .height = 2, .bits = 8, .samples = samples});
+    write_text("places.mtl", "newmtl a\nmap_Kd small.png\nnewmtl b\n");
+    write_text("places.obj", "mtllib places.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 2 0\nvt 0 0\nvt 1 0\nvt 9e6 nan\n"
+                             "usemtl a\nf 1/1 2/2 3/1\nusemtl b\nf 2/3 4/3 3/3\n");
+    assert_quiet("$GLINT render --mesh places.obj --size 9x9 -o places.ppm");
+    assert_fails("sed 's/usemtl b/usemtl a/' places.obj >odd.obj && $GLINT render --mesh odd.obj --size 9x9 -o no.ppm",
+                 "triangle 2 has a texture coordinate that is not a number below 10^6");
+}
 #endif
 
 static void nothing_is_left_behind(void **state)
@@ -175,6 +212,8 @@ int main(void)
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
+        cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
+        cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
 #endif
         cmocka_unit_test(nothing_is_left_behind),
     };
