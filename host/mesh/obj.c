@@ -122,6 +122,22 @@ static bool take_face(struct obj *obj, char *rest)
     return true;
 }
 
+/* One name, which may hold blanks, or several; where none can be read it was one. */
+static void take_libraries(struct obj *obj, const struct obj_source *source, const char *names)
+{
+    const char *missing = NULL;
+    bool found = source->library(&obj->materials, names);
+    char *copy = found ? NULL : strdup(names), *at = copy;
+    for (const char *name; at && (name = lines_word(&at));) {
+        const bool good = source->library(&obj->materials, name);
+        missing = missing || good ? missing : name;
+        found |= good;
+    }
+    if (!found || missing)
+        source->missing(found ? missing : names);
+    free(copy);
+}
+
 /* Returns what is wrong, or NULL. */
 static const char *take_line(struct obj *obj, const struct obj_source *source)
 {
@@ -136,7 +152,7 @@ static const char *take_line(struct obj *obj, const struct obj_source *source)
         return *rest && obj->material == OBJ_MATERIALS_MAX ? "it uses too many materials; join some" : NULL;
     }
     if (lines_begins(&obj->lines, "mtllib", &rest) && *rest)
-        source->library(&obj->materials, rest);
+        take_libraries(obj, source, rest);
     return NULL;
 }
 

@@ -159,6 +159,53 @@ static void a_gltf_that_begins_as_another_format_is_refused(void **state)
     }
 }
 
+/* ---- OBJ ---- */
+
+/* Draws a.obj, whose line of MTLs is this, and says the line, or nothing; whether triangles of materials a and b are red and green. */
+static void assert_libraries(const char *line, const char *said, bool is_red, bool is_green)
+{
+    char command[300];
+    uint8_t bytes[13 + 40 * 20 * 3];
+    setenv("line", line, 1);
+    snprintf(
+        command, sizeof command,
+        "{ echo \"$line\"; cat plain.obj; } >a.obj && $GLINT render --mesh a.obj --size 40x20 --image ppm -o a.ppm");
+    const struct run *result = run(command);
+    assert_int_equal(result->status, 0);
+    assert_string_equal(result->err, said);
+    assert_int_equal(read_file("a.ppm", bytes, sizeof bytes), sizeof bytes);
+    unsigned red = 0, green = 0;
+    for (size_t i = 13; i < sizeof bytes; i += 3) {
+        red += bytes[i] > bytes[i + 1] + 60;
+        green += bytes[i + 1] > bytes[i] + 60;
+    }
+    assert_int_equal(red > 20, is_red);
+    assert_int_equal(green > 20, is_green);
+}
+
+static void an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others(void **state)
+{
+    (void)state;
+    write_text("plain.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nusemtl a\nf 1 2 3\nusemtl b\nf 2 4 3\n");
+    write_text("red.mtl", "newmtl a\nKd 1 0 0\n");
+    write_text("green.mtl", "newmtl b\nKd 0 1 0\n");
+    write_text("two words.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n");
+    assert_quiet("truncate -s 17M large.mtl");
+    assert_libraries("mtllib red.mtl", "", true, false);
+    assert_libraries("mtllib red.mtl green.mtl", "", true, true);
+    assert_libraries("mtllib\tred.mtl  ./green.mtl # both", "", true, true);
+    assert_libraries("mtllib red.mtl\nmtllib green.mtl", "", true, true);
+    assert_libraries("mtllib two words.mtl", "", true, true);
+    assert_libraries("mtllib none.mtl\nmtllib none.mtl",
+                     "glint: a.obj: names none.mtl, which is left out: No such file or directory\n", false, false);
+    assert_libraries("mtllib none.mtl green.mtl",
+                     "glint: a.obj: names none.mtl, which is left out: No such file or directory\n", false, true);
+    assert_libraries("mtllib no words.mtl",
+                     "glint: a.obj: names no words.mtl, which is left out: No such file or directory\n", false, false);
+    assert_libraries("mtllib large.mtl", "glint: a.obj: names large.mtl, which is left out: it has more than 16 MB\n",
+                     false, false);
+}
+
 /* ---- textures and normals ---- */
 
 /* A copy of it a colour: 72 million pixels. */
@@ -212,6 +259,7 @@ int main(void)
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
+        cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
 #endif

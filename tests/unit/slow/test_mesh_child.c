@@ -136,7 +136,7 @@ static void a_face_that_would_take_long_to_cut_is_refused_with_its_line(void **s
     for (int i = 1; i <= CORNERS; i++)
         fprintf(obj, " %d", i);
     fclose(obj);
-    assert_null(obj_soup(&(struct obj_source){text, len, false, NULL}, wrong));
+    assert_null(obj_soup(&(struct obj_source){text, len, false, NULL, NULL, NULL}, wrong));
     assert_string_equal(wrong, "line 20001: a face has too many corners and dents; cut it into triangles");
     free(text);
 }
