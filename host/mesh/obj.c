@@ -192,9 +192,17 @@ static void look_for(const struct obj *obj, struct soup *soup)
         soup->has_colors |= places[i].has_color;
 }
 
-/* v down; a vertex without a colour has its material's. */
+/* By what its map_Kd says; v down. */
+static void lead(const struct obj_material *material, const struct numbers *place, double uv[2])
+{
+    for (int k = 0; k < 2; k++)
+        uv[k] = material ? material->scale[k] * (double)place->at[k] + material->move[k] : (double)place->at[k];
+    uv[1] = 1 - uv[1];
+}
+
+/* A vertex without a colour has its material's. */
 static void set_corner(const struct obj *obj, const struct soup *soup, const struct corner *corner,
-                       struct soup_face *face, int at)
+                       const struct obj_material *material, struct soup_face *face, int at)
 {
     const struct numbers *place = named(obj, corner, PLACE), *uv = named(obj, corner, UV),
                          *normal = named(obj, corner, NORMAL);
@@ -205,18 +213,20 @@ static void set_corner(const struct obj *obj, const struct soup *soup, const str
                               : place->has_color ? place->color[k]
                                                  : soup->materials[face->part].color[k];
     }
-    face->uv[at][0] = uv ? (double)uv->at[0] : 0;
-    face->uv[at][1] = uv ? 1 - (double)uv->at[1] : 0;
+    if (uv)
+        lead(material, uv, face->uv[at]);
 }
 
 /* Returns what is wrong, or NULL. */
-static const char *set_faces(struct obj *obj, struct soup *soup)
+static const char *set_faces(struct obj *obj, struct soup *soup, bool textures)
 {
     struct soup_face *to = soup->faces;
     for (size_t i = 0; i < obj->faces.count; i++) {
         const struct face *face = (const struct face *)obj->faces.of + i;
         const struct corner *corners = (const struct corner *)obj->corners.of + face->first;
-        const unsigned part = face->material < OBJ_MATERIALS_MAX ? obj->materials.of[face->material].part : 0;
+        const struct obj_material *material =
+            face->material < OBJ_MATERIALS_MAX ? &obj->materials.of[face->material] : NULL;
+        const unsigned part = material ? material->part : 0;
         double(*places)[3] = allocate(face->count, sizeof *places);
         size_t(*triangles)[3] = allocate(face->count - 2, sizeof *triangles);
         for (size_t k = 0; k < 3 * face->count; k++)
@@ -225,7 +235,7 @@ static const char *set_faces(struct obj *obj, struct soup *soup)
         for (size_t k = 0; is_cut && k < face->count - 2; k++, to++) {
             to->part = (part ? part : soup->part_count) - 1;
             for (int j = 0; j < 3; j++)
-                set_corner(obj, soup, &corners[triangles[k][j]], to, j);
+                set_corner(obj, soup, &corners[triangles[k][j]], textures ? material : NULL, to, j);
         }
         free(places);
         free(triangles);
@@ -249,7 +259,7 @@ static void obj_free(struct obj *obj)
 
 struct soup *obj_soup(const struct obj_source *source, char wrong[120])
 {
-    struct obj obj = {.material = OBJ_MATERIALS_MAX};
+    struct obj obj = {.material = OBJ_MATERIALS_MAX, .materials.note = source->note};
     const char *what = NULL;
     struct soup *soup = NULL;
     lines_begin(&obj.lines, source->text, source->len);
@@ -265,7 +275,7 @@ struct soup *obj_soup(const struct obj_source *source, char wrong[120])
     }
     if (soup && obj.triangles > 0 && obj.triangles <= GLINT_MESH_FACES_MAX) {
         soup->faces = allocate(obj.triangles, sizeof *soup->faces);
-        what = set_faces(&obj, soup);
+        what = set_faces(&obj, soup, source->textures);
     }
     if (what) {
         snprintf(wrong, 120, "line %lu: %s", obj.lines.number, what);

@@ -206,6 +206,49 @@ static void an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_o
                      false, false);
 }
 
+/* As if the places in the picture were these. */
+static void an_mtls_picture_is_scaled_and_moved_and_other_options_are_said(void **state)
+{
+    (void)state;
+    static const char *const same[][2] = {{"-s .5 .25 1", "u * .5, v * .25"},
+                                          {"-s .5", "u * .5, v"},
+                                          {"-o .5 .25 0", "u + .5, v + .25"},
+                                          {"-clamp off -o .25 -s .5 .5", "u * .5 + .25, v * .5"},
+                                          {"-mm 0 1 -t 0 0 0 -o 0 0 0 -s 1 1 1 -bm 1", "u, v"}};
+    static const char *const said[][2] = {
+        {"-mm .5 2 -s 1", "the option -mm of a map_Kd is left out"},
+        {"-t 1", "the option -t of a map_Kd is left out"},
+        {"-what 1", "the picture behind the unknown option -what of a map_Kd is left out"}};
+    static const char square[] =
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nusemtl a\n"
+        "f 1/1 2/2 3/3 4/4\n";
+    uint16_t samples[64];
+    for (unsigned i = 0; i < 64; i++)
+        samples[i] = (uint16_t)(i * i * 31 % 256);
+    make_png("map.png", &(struct made_png){.width = 8, .height = 8, .bits = 8, .samples = samples});
+    write_text("square.obj", square);
+    write_text("wanted.mtl", "newmtl a\nmap_Kd map.png\n");
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        setenv("options", same[i][0], 1);
+        setenv("places", same[i][1], 1);
+        assert_quiet("{ echo mtllib wanted.mtl; awk \"/^vt/ { u = \\$2; v = \\$3; print \\\"vt\\\", $places; next } "
+                     "1\" square.obj; } >wanted.obj && "
+                     "{ echo mtllib made.mtl; cat square.obj; } >made.obj && printf 'newmtl a\nmap_Kd %s map.png\n' "
+                     "\"$options\" >made.mtl && "
+                     "for i in wanted made; do $GLINT render --mesh $i.obj --size 40x40 -o $i.ppm || exit 1; done");
+        assert_same_file("wanted.ppm", "made.ppm");
+    }
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        setenv("options", said[i][0], 1);
+        const struct run *result = run("printf 'newmtl a\nmap_Kd %s map.png\n' \"$options\" >made.mtl && "
+                                       "$GLINT render --mesh made.obj --size 40x40 -o made.ppm");
+        char line[200];
+        snprintf(line, sizeof line, "glint: made.obj: %s\n", said[i][1]);
+        assert_string_equal(result->err, line);
+        assert_int_equal(result->status, 0);
+    }
+}
+
 /* ---- textures and normals ---- */
 
 /* A copy of it a colour: 72 million pixels. */
@@ -260,6 +303,7 @@ int main(void)
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
+        cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
 #endif
