@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh/obj.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +21,7 @@ struct list {
     size_t count, room;
 };
 struct numbers {
-    float at[3];
-    uint8_t color[3];
+    float at[3], color[3];
     bool has_color;
 };
 struct corner {
@@ -36,6 +36,7 @@ struct obj {
     struct lines lines;
     struct list numbers[KINDS], corners, faces;
     size_t triangles;
+    float brightest; /* of the vertices' colours */
     struct obj_materials materials;
     unsigned material; /* now */
 };
@@ -80,8 +81,10 @@ static bool take_numbers(struct obj *obj, unsigned kind, char *rest)
     for (unsigned k = 0; k < 3 && k < count; k++)
         to->at[k] = kind == PLACE && count == 4 ? n[k] / n[3] : n[k];
     to->has_color = count >= 6;
-    for (int k = 0; k < 3 && to->has_color; k++)
-        to->color[k] = mesh_level((double)n[3 + k]);
+    for (int k = 0; k < 3 && to->has_color; k++) {
+        to->color[k] = n[3 + k];
+        obj->brightest = fmaxf(obj->brightest, n[3 + k]);
+    }
     return true;
 }
 
@@ -200,6 +203,12 @@ static void lead(const struct obj_material *material, const struct numbers *plac
     uv[1] = 1 - uv[1];
 }
 
+/* Colours go to 1, or to 255 where one is far above 1. */
+static uint8_t level_of(const struct obj *obj, float part)
+{
+    return mesh_level(obj->brightest >= 2 ? (double)part / 255 : (double)part);
+}
+
 /* A vertex without a colour has its material's. */
 static void set_corner(const struct obj *obj, const struct soup *soup, const struct corner *corner,
                        const struct obj_material *material, struct soup_face *face, int at)
@@ -210,7 +219,7 @@ static void set_corner(const struct obj *obj, const struct soup *soup, const str
         face->places[at][k] = (double)place->at[k];
         face->normals[at][k] = soup->has_normals ? (double)normal->at[k] : 0;
         face->colors[at][k] = !soup->has_colors  ? 0
-                              : place->has_color ? place->color[k]
+                              : place->has_color ? level_of(obj, place->color[k])
                                                  : soup->materials[face->part].color[k];
     }
     if (uv)

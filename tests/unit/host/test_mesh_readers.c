@@ -249,7 +249,30 @@ static void an_mtls_picture_is_scaled_and_moved_and_other_options_are_said(void 
     }
 }
 
+static void colours_of_an_objs_vertices_go_to_1_or_to_255(void **state)
+{
+    (void)state;
+    write_text("one.obj", "v 0 0 0 1 .2 0\nv 2 0 0 .4 1 0\nv 0 2 0 0 .6 1\nf 1 2 3\n");
+    assert_same_mesh("one.obj",
+                     "sed 's/ 1 .2 0$/ 255 51 0/; s/ .4 1 0$/ 102 255 0/; s/ 0 .6 1$/ 0 153 255/' one.obj >made.obj");
+    assert_same_mesh("one.obj", "sed 's/ 1 .2 0$/ 1.001 .2 0/' one.obj >made.obj"); /* rounded */
+}
+
 /* ---- textures and normals ---- */
+
+static void a_normal_that_is_no_number_is_as_if_it_had_no_length(void **state)
+{
+    (void)state;
+    static const char *const odd[] = {"nan nan nan", "0 nan 1", "0 0 1e999", "inf 0 0"};
+    write_text("normals.obj",
+               "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nvn 0 0 -1\nvn 0 0 0\nf 1//1 2//1 3//2\nf 2//1 4//1 3//1\n");
+    for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
+        setenv("odd", odd[i], 1);
+        assert_quiet("sed \"s/^vn 0 0 0/vn $odd/\" normals.obj >odd.obj && for i in normals odd; do "
+                     "$GLINT bake --mesh $i.obj --flip-faces --to int16 --as raw -o $i.bin 2>said >report || exit 1; "
+                     "done; cmp normals.bin odd.bin");
+    }
+}
 
 /* A copy of it a colour: 72 million pixels. */
 static void textures_in_many_colours_have_a_limit_of_memory(void **state)
@@ -304,6 +327,8 @@ int main(void)
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
+        cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
+        cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
 #endif
