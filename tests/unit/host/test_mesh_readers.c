@@ -308,6 +308,21 @@ static void places_in_a_picture_matter_only_where_there_is_one(void **state)
     assert_fails("sed 's/usemtl b/usemtl a/' places.obj >odd.obj && $GLINT render --mesh odd.obj --size 9x9 -o no.ppm",
                  "triangle 2 has a texture coordinate that is not a number below 10^6");
 }
+
+/* A fan whose blades do not touch but in its middle, and a wall of as many tiles: of these, side by side, few are compared with each other. */
+static void the_search_for_edges_side_by_side_has_a_limit_of_steps(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "awk 'BEGIN { print \"v 0 0 0\"; for (i = 0; i < 20000; i++) { a = i * 6.283185307 / 20000; b = a + .0002; "
+        "print \"v\", cos(a), sin(a), 0; print \"v\", cos(b), sin(b), 0; print \"f 1 -2 -1\" } }' >fan.obj && "
+        "awk 'BEGIN { for (i = 0; i < 20000; i++) { y = i % 141; z = int(i / 141); print \"v 0\", y, z; "
+        "print \"v 0\", y + .5, z; print \"v 0\", y, z + .5; print \"f -3 -2 -1\" } }' >wall.obj && "
+        "$GLINT render --mesh wall.obj --turn 0,90,0 --flip-faces --size 9x9 -o wall.ppm 2>said; ! grep open said");
+    const struct run *result = run("$GLINT render --mesh fan.obj --size 9x9 -o fan.ppm");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->err, "fan.obj: has too many open edges to find which lie side by side");
+}
 #endif
 
 static void nothing_is_left_behind(void **state)
@@ -331,6 +346,7 @@ int main(void)
         cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
+        cmocka_unit_test(the_search_for_edges_side_by_side_has_a_limit_of_steps),
 #endif
         cmocka_unit_test(nothing_is_left_behind),
     };
