@@ -80,6 +80,15 @@ void parse_c_macro(const struct argp_state *state, const char *name, const char 
         refuse(state, "--name: '%s' would define %s, which has a meaning in C; take another", name, macro);
 }
 
+/* Between the quotes of #include. */
+static bool is_includable(const char *name)
+{
+    for (; *name; name++)
+        if (*name == '"' || *name == '\\' || iscntrl((unsigned char)*name))
+            return false;
+    return true;
+}
+
 void parse_c_files(const struct argp_state *state, const char *path, const char **name, const char *suffix,
                    struct c_files *files)
 {
@@ -94,6 +103,9 @@ void parse_c_files(const struct argp_state *state, const char *path, const char 
         fail("out of memory");
     files->header[length - 1] = path[length - 1] == 'C' ? 'H' : 'h';
     files->within = files->header + (slash ? slash + 1 - path : 0);
+    if (!is_includable(files->within))
+        refuse(state, "-o: '%s' cannot be included in C; name the file without quotes, backslashes and line ends",
+               path);
     files->stem[strlen(files->stem) - 2] = '\0';
     if (!*name)
         *name = parse_c_name(state, files->stem);

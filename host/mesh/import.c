@@ -102,6 +102,16 @@ static void receive_material(struct reader *reader, struct mesh_material *materi
         material->highlight[k] = in_unit(material->highlight[k]);
 }
 
+/* Each is to have its line's end. */
+static void say_notes(const char *name, char *notes, size_t size)
+{
+    notes[size - 1] = 0;
+    for (char *end; (end = strchr(notes, '\n')); notes = end + 1) {
+        *end = 0;
+        warn("%s: %s", name, notes);
+    }
+}
+
 static struct soup *receive_soup(struct reader *reader)
 {
     struct import_head head;
@@ -113,6 +123,7 @@ static struct soup *receive_soup(struct reader *reader)
     if (head.refused[0])
         warn("%s: names %s, which is left out: %s", reader->source->name, head.refused,
              import_files_outside(reader->source));
+    say_notes(reader->source->name, head.notes, sizeof head.notes);
     receive_files(reader, head.file_count);
     soup_check_count(reader->source->name, head.face_count);
     if (head.part_count == 0 || head.part_count > PARTS_MAX)

@@ -23,6 +23,7 @@
 #include "base/child.h"
 #include "mesh/import_texture.h"
 #include "mesh/ply_check.h"
+#include "mesh/stl_check.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
 #define FUNCTIONS(X)                                                                                                   \
@@ -261,7 +262,8 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
 static const char *check_file(struct import_source *source, bool is_gltf, uint64_t *triangles)
 {
     const char *wrong = NULL;
-    if (!is_gltf && strcmp(source->ending, ".ply") != 0)
+    const bool is_ply = strcmp(source->ending, ".ply") == 0;
+    if (!is_gltf && !is_ply && strcmp(source->ending, ".stl") != 0)
         return NULL;
     import_files(source);
     FILE *stream = source->bytes ? NULL : import_files_open(source->path, &source->len, &wrong);
@@ -269,7 +271,9 @@ static const char *check_file(struct import_source *source, bool is_gltf, uint64
         source->bytes = import_files_read_all(stream, &source->len);
     if (wrong)
         return wrong;
-    return is_gltf ? gltf_check(source->bytes, source->len, triangles) : ply_check(source->bytes, source->len);
+    if (is_gltf)
+        return gltf_check(source->bytes, source->len, triangles);
+    return is_ply ? ply_check(source->bytes, source->len) : stl_check(source->bytes, source->len);
 }
 
 static const char no_such_vertex[] =

@@ -9,6 +9,7 @@
 /* Sent first; then, where there is no message, the files that were read, the materials and the faces. */
 struct import_head {
     char message[256], refused[200]; /* a file that it names, which may not be read */
+    char notes[1000];                /* of what is left out: lines, each the end of a message */
     uint64_t face_count, part_count, file_count, picture_count;
     bool has_normals, has_uv, has_colors, has_facet_colors;
 };

@@ -18,28 +18,53 @@
 enum { LIBRARY_BYTES = 1 << 24 };
 
 static const struct import_source *mesh;
-static char refused[200]; /* the first file elsewhere that it names */
+static char notes[sizeof((struct import_head *)NULL)->notes];
+static const char *why_missing; /* the last MTL that could not be read */
 
-/* One that is not there is no error: the mesh has plain colours. */
-static void read_library(struct obj_materials *materials, const char *name)
+/* Each once, and no more than there is room for. */
+static void add_note(const char *text)
 {
-    const char *wrong;
+    const size_t len = strlen(notes);
+    char line[320];
+    snprintf(line, sizeof line, "%.300s", text);
+    for (char *at = line; *at; at++)
+        *at = *at == '\n' ? ' ' : *at;
+    strcat(line, "\n");
+    if (!strstr(notes, line) && len + strlen(line) < sizeof notes)
+        strcpy(notes + len, line);
+}
+
+static bool read_library(struct obj_materials *materials, const char *name)
+{
+    const char *why;
     size_t len = 0;
-    FILE *stream = import_files_open_named(mesh, name, &len, &wrong);
-    if (!stream && wrong == import_files_outside(mesh) && !refused[0])
-        snprintf(refused, sizeof refused, "%s", name);
-    if (!stream)
-        return;
-    if (len > LIBRARY_BYTES)
-        len = LIBRARY_BYTES;
+    FILE *stream = import_files_open_named(mesh, name, &len, &why);
+    if (stream && len > LIBRARY_BYTES) {
+        fclose(stream);
+        stream = NULL;
+        why = "it has more than 16 MB";
+    }
+    if (!stream) {
+        why_missing = why;
+        return false;
+    }
     char *text = import_files_read_all(stream, &len);
     obj_materials_read(materials, text, len);
     free(text);
+    return true;
+}
+
+/* The mesh has plain colours. */
+static void miss_library(const char *name)
+{
+    char text[300];
+    snprintf(text, sizeof text, "names %.*s, which is left out: %s", 150, name, why_missing);
+    add_note(text);
 }
 
 static struct soup *read_mesh(char wrong[120])
 {
-    struct obj_source from = {mesh->bytes, mesh->len, mesh->textures, read_library};
+    struct obj_source from = {mesh->bytes, mesh->len, mesh->textures, read_library, miss_library, add_note};
     const char *why = NULL;
     FILE *stream = mesh->path ? import_files_open(mesh->path, &from.len, &why) : NULL;
     if (why) {
@@ -73,7 +98,7 @@ const char *import_obj(const struct import_source *source, int out)
                                .has_normals = soup->has_normals,
                                .has_uv = soup->has_uv,
                                .has_colors = soup->has_colors};
-    memcpy(head.refused, refused, sizeof head.refused);
+    memcpy(head.notes, notes, sizeof head.notes);
     child_send(out, &head, sizeof head);
     child_send(out, files, head.file_count * sizeof *files);
     if (!soup->faces)

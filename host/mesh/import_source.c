@@ -14,8 +14,9 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
+#include "mesh/stl_check.h"
 
-enum { FILE_MAX_MB = 256, FIRST_BYTES = 1 << 16, STL_HEAD = 84, STL_FACET = 50 };
+enum { FILE_MAX_MB = 256, FIRST_BYTES = 1 << 16 };
 static const char obj[] = ".obj", stl[] = ".stl", ply[] = ".ply", gltf[] = ".gltf", glb[] = ".glb";
 static const char *const endings[] = {obj, stl, ply, gltf, glb};
 
@@ -29,6 +30,24 @@ static const char *ending_of(const char *path)
             return endings[i];
     fail("%s: a mesh's name ends in .obj, .stl, .ply, .gltf or .glb; rename it, or export it in one of these formats",
          path);
+}
+
+/* For what does not begin as its name says libassimp looks among all its readers, and no check of ours fits these. STL and PLY have one reader each, by
+ * name. */
+static void check_beginning(const char *path, const char *ending)
+{
+    char bytes[256] = "";
+    FILE *file = ending == gltf || ending == glb ? fopen(path, "rb") : NULL;
+    if (!file)
+        return; /* or the child says why it cannot be opened */
+    const char *at = bytes, *const end = bytes + fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    if (memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
+        at += 3;
+    while (at < end && isspace((unsigned char)*at))
+        at++;
+    if (ending == gltf ? at == end || *at != '{' : memcmp(bytes, "glTF", 4) != 0)
+        fail("%s: does not begin as a %s does; give it the ending of its format", path, ending);
 }
 
 static void check_file(const char *path)
@@ -69,15 +88,6 @@ static void read_input(struct import_source *source)
         fail("%s: is empty; send a mesh", source->name);
 }
 
-/* A binary STL has as many bytes as the count after its comment says. The comment may begin as a text STL does. */
-static bool is_binary_stl(const struct import_source *source)
-{
-    uint64_t count = 0;
-    for (int i = 3; source->len >= STL_HEAD && i >= 0; i--)
-        count = count << 8 | (uint8_t)source->bytes[STL_HEAD - 4 + i];
-    return source->len >= STL_HEAD && source->len == STL_HEAD + STL_FACET * count;
-}
-
 /* Whether a line begins with `word`, after blanks, and a blank follows. */
 static bool has_line(const struct import_source *source, const char *word)
 {
@@ -102,7 +112,7 @@ static const char *ending_by_bytes(const struct import_source *source)
         return glb;
     if (len >= 4 && memcmp(at, "ply", 3) == 0 && isspace((unsigned char)at[3]))
         return ply;
-    if (is_binary_stl(source) || (has_line(source, "facet") && has_line(source, "vertex")))
+    if (stl_is_binary(at, len) || (has_line(source, "facet") && has_line(source, "vertex")))
         return stl;
     if (memchr(at, 0, len) == NULL) {
         size_t blanks = 0;
@@ -129,6 +139,7 @@ struct import_source *import_source_open(const char *path)
     } else {
         *source = (struct import_source){.name = path, .path = path, .ending = ending_of(path)};
         check_file(path);
+        check_beginning(path, source->ending);
     }
     return source;
 }

@@ -93,11 +93,22 @@ static void flip(struct soup *soup)
         soup->faces[i / 9].normals[i / 3 % 3][i % 3] *= -1;
 }
 
+/* Whose place is taken by those of the faces, as of those without a length. */
+static void forget_odd_normals(struct soup *soup)
+{
+    for (size_t i = 0; i < 3 * soup->face_count; i++) {
+        double *normal = soup->faces[i / 3].normals[i % 3];
+        if (!(mesh_dot(normal, normal) < INFINITY))
+            memset(normal, 0, sizeof soup->faces->normals[0]);
+    }
+}
+
 static struct soup *read_file(const struct mesh_source *source)
 {
     struct soup *soup = import_soup(source->name, !source->no_textures && !source->texture, source->allowed);
     const enum mesh_axes axes = source->axes != AXES_USUAL ? source->axes : soup->is_stl ? AXES_Z_UP : AXES_Y_UP;
     soup->has_normals &= !soup->is_stl;
+    forget_odd_normals(soup);
     for (size_t i = 0; axes == AXES_Z_UP && i < 3 * soup->face_count; i++) {
         stand_up(soup->faces[i / 3].places[i % 3]);
         stand_up(soup->faces[i / 3].normals[i % 3]);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/memory.h"
+#include "base/message.h"
 #include "glint_mesh.h"
 
 /* Edge k of a face, from the place `from` to the place `to`. */
@@ -37,14 +38,14 @@ static int by_places(const void *first, const void *second)
 /* An open edge. */
 struct open {
     const double *from, *to;
-    double left, right; /* along x */
+    double low[3], high[3]; /* the first: along the axis of the search */
     struct edge edge;
 };
 
-static int by_left(const void *first, const void *second)
+static int by_low(const void *first, const void *second)
 {
     const struct open *a = first, *b = second;
-    return a->left < b->left ? -1 : a->left > b->left;
+    return a->low[0] < b->low[0] ? -1 : a->low[0] > b->low[0];
 }
 
 /* Where along an edge a place is, from 0 to 1, and how far from it. */
@@ -91,16 +92,66 @@ static double size_of(const struct mesh *mesh)
     return size;
 }
 
+/* The axis along which open edges are shortest beside the mesh. */
+static int axis_of(const struct open *open, size_t count)
+{
+    double least = INFINITY;
+    int axis = 0;
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY, sum = 0;
+        for (size_t i = 0; i < count; i++) {
+            low = fmin(low, fmin(open[i].from[k], open[i].to[k]));
+            high = fmax(high, fmax(open[i].from[k], open[i].to[k]));
+            sum += fabs(open[i].to[k] - open[i].from[k]);
+        }
+        if (high > low && sum / (high - low) < least) {
+            least = sum / (high - low);
+            axis = k;
+        }
+    }
+    return axis;
+}
+
+static void set_boxes(struct open *open, size_t count)
+{
+    const int axis = axis_of(open, count);
+    for (size_t i = 0; i < 3 * count; i++) {
+        const size_t k = (i + (size_t)axis) % 3;
+        struct open *edge = &open[i / 3];
+        edge->low[i % 3] = fmin(edge->from[k], edge->to[k]);
+        edge->high[i % 3] = fmax(edge->from[k], edge->to[k]);
+    }
+}
+
+static bool is_apart(const struct open *a, const struct open *b, double tolerance)
+{
+    for (int k = 1; k < 3; k++)
+        if (a->low[k] > b->high[k] + tolerance || b->low[k] > a->high[k] + tolerance)
+            return true;
+    return false;
+}
+
 static void find_seams(const struct mesh *mesh, struct open *open, size_t count, uint16_t (*neighbours)[3])
 {
     const double tolerance = 3e-5 * size_of(mesh);
-    qsort(open, count, sizeof *open, by_left);
-    for (size_t i = 0; i < count; i++)
-        for (size_t j = i + 1; j < count && open[j].left <= open[i].right + tolerance; j++)
-            if (is_seam(&open[i], &open[j], tolerance)) {
-                neighbours[open[i].edge.face][open[i].edge.k] = GLINT_MESH_SEAM;
-                neighbours[open[j].edge.face][open[j].edge.k] = GLINT_MESH_SEAM;
-            }
+    size_t steps = 0;
+    set_boxes(open, count);
+    qsort(open, count, sizeof *open, by_low);
+    for (size_t i = 0; i < count; i++) {
+        if (steps > MESH_NEIGHBOURS_STEPS_MAX) {
+            warn("%s: has too many open edges to find which lie side by side; some outlines may be drawn twice",
+                 mesh->name);
+            return;
+        }
+        for (size_t j = i + 1; j < count && open[j].low[0] <= open[i].high[0] + tolerance; j++) {
+            const bool apart = is_apart(&open[i], &open[j], tolerance);
+            steps += apart ? 1 : 8; /* as they take time */
+            if (apart || !is_seam(&open[i], &open[j], tolerance))
+                continue;
+            neighbours[open[i].edge.face][open[i].edge.k] = GLINT_MESH_SEAM;
+            neighbours[open[j].edge.face][open[j].edge.k] = GLINT_MESH_SEAM;
+        }
+    }
 }
 
 /* Of edges at the same two places each is joined with one that runs the other way. Those left over are open. */
@@ -123,7 +174,7 @@ static size_t join(const struct mesh *mesh, const struct edge *edges, size_t cou
             continue;
         const uint32_t *face = mesh->faces[edges[i].face];
         const double *from = mesh->places[face[edges[i].k]], *to = mesh->places[face[(edges[i].k + 1) % 3]];
-        open[found++] = (struct open){from, to, fmin(from[0], to[0]), fmax(from[0], to[0]), edges[i]};
+        open[found++] = (struct open){.from = from, .to = to, .edge = edges[i]};
     }
     return found;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh/obj.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -20,8 +21,7 @@ struct list {
     size_t count, room;
 };
 struct numbers {
-    float at[3];
-    uint8_t color[3];
+    float at[3], color[3];
     bool has_color;
 };
 struct corner {
@@ -36,6 +36,7 @@ struct obj {
     struct lines lines;
     struct list numbers[KINDS], corners, faces;
     size_t triangles;
+    float brightest; /* of the vertices' colours */
     struct obj_materials materials;
     unsigned material; /* now */
 };
@@ -80,8 +81,10 @@ static bool take_numbers(struct obj *obj, unsigned kind, char *rest)
     for (unsigned k = 0; k < 3 && k < count; k++)
         to->at[k] = kind == PLACE && count == 4 ? n[k] / n[3] : n[k];
     to->has_color = count >= 6;
-    for (int k = 0; k < 3 && to->has_color; k++)
-        to->color[k] = mesh_level((double)n[3 + k]);
+    for (int k = 0; k < 3 && to->has_color; k++) {
+        to->color[k] = n[3 + k];
+        obj->brightest = fmaxf(obj->brightest, n[3 + k]);
+    }
     return true;
 }
 
@@ -122,6 +125,22 @@ static bool take_face(struct obj *obj, char *rest)
     return true;
 }
 
+/* One name, which may hold blanks, or several; where none can be read it was one. */
+static void take_libraries(struct obj *obj, const struct obj_source *source, const char *names)
+{
+    const char *missing = NULL;
+    bool found = source->library(&obj->materials, names);
+    char *copy = found ? NULL : strdup(names), *at = copy;
+    for (const char *name; at && (name = lines_word(&at));) {
+        const bool good = source->library(&obj->materials, name);
+        missing = missing || good ? missing : name;
+        found |= good;
+    }
+    if (!found || missing)
+        source->missing(found ? missing : names);
+    free(copy);
+}
+
 /* Returns what is wrong, or NULL. */
 static const char *take_line(struct obj *obj, const struct obj_source *source)
 {
@@ -136,7 +155,7 @@ static const char *take_line(struct obj *obj, const struct obj_source *source)
         return *rest && obj->material == OBJ_MATERIALS_MAX ? "it uses too many materials; join some" : NULL;
     }
     if (lines_begins(&obj->lines, "mtllib", &rest) && *rest)
-        source->library(&obj->materials, rest);
+        take_libraries(obj, source, rest);
     return NULL;
 }
 
@@ -176,9 +195,23 @@ static void look_for(const struct obj *obj, struct soup *soup)
         soup->has_colors |= places[i].has_color;
 }
 
-/* v down; a vertex without a colour has its material's. */
+/* By what its map_Kd says; v down. */
+static void lead(const struct obj_material *material, const struct numbers *place, double uv[2])
+{
+    for (int k = 0; k < 2; k++)
+        uv[k] = material ? material->scale[k] * (double)place->at[k] + material->move[k] : (double)place->at[k];
+    uv[1] = 1 - uv[1];
+}
+
+/* Colours go to 1, or to 255 where one is far above 1. */
+static uint8_t level_of(const struct obj *obj, float part)
+{
+    return mesh_level(obj->brightest >= 2 ? (double)part / 255 : (double)part);
+}
+
+/* A vertex without a colour has its material's. */
 static void set_corner(const struct obj *obj, const struct soup *soup, const struct corner *corner,
-                       struct soup_face *face, int at)
+                       const struct obj_material *material, struct soup_face *face, int at)
 {
     const struct numbers *place = named(obj, corner, PLACE), *uv = named(obj, corner, UV),
                          *normal = named(obj, corner, NORMAL);
@@ -186,21 +219,23 @@ static void set_corner(const struct obj *obj, const struct soup *soup, const str
         face->places[at][k] = (double)place->at[k];
         face->normals[at][k] = soup->has_normals ? (double)normal->at[k] : 0;
         face->colors[at][k] = !soup->has_colors  ? 0
-                              : place->has_color ? place->color[k]
+                              : place->has_color ? level_of(obj, place->color[k])
                                                  : soup->materials[face->part].color[k];
     }
-    face->uv[at][0] = uv ? (double)uv->at[0] : 0;
-    face->uv[at][1] = uv ? 1 - (double)uv->at[1] : 0;
+    if (uv)
+        lead(material, uv, face->uv[at]);
 }
 
 /* Returns what is wrong, or NULL. */
-static const char *set_faces(struct obj *obj, struct soup *soup)
+static const char *set_faces(struct obj *obj, struct soup *soup, bool textures)
 {
     struct soup_face *to = soup->faces;
     for (size_t i = 0; i < obj->faces.count; i++) {
         const struct face *face = (const struct face *)obj->faces.of + i;
         const struct corner *corners = (const struct corner *)obj->corners.of + face->first;
-        const unsigned part = face->material < OBJ_MATERIALS_MAX ? obj->materials.of[face->material].part : 0;
+        const struct obj_material *material =
+            face->material < OBJ_MATERIALS_MAX ? &obj->materials.of[face->material] : NULL;
+        const unsigned part = material ? material->part : 0;
         double(*places)[3] = allocate(face->count, sizeof *places);
         size_t(*triangles)[3] = allocate(face->count - 2, sizeof *triangles);
         for (size_t k = 0; k < 3 * face->count; k++)
@@ -209,7 +244,7 @@ static const char *set_faces(struct obj *obj, struct soup *soup)
         for (size_t k = 0; is_cut && k < face->count - 2; k++, to++) {
             to->part = (part ? part : soup->part_count) - 1;
             for (int j = 0; j < 3; j++)
-                set_corner(obj, soup, &corners[triangles[k][j]], to, j);
+                set_corner(obj, soup, &corners[triangles[k][j]], textures ? material : NULL, to, j);
         }
         free(places);
         free(triangles);
@@ -233,7 +268,7 @@ static void obj_free(struct obj *obj)
 
 struct soup *obj_soup(const struct obj_source *source, char wrong[120])
 {
-    struct obj obj = {.material = OBJ_MATERIALS_MAX};
+    struct obj obj = {.material = OBJ_MATERIALS_MAX, .materials.note = source->note};
     const char *what = NULL;
     struct soup *soup = NULL;
     lines_begin(&obj.lines, source->text, source->len);
@@ -249,7 +284,7 @@ struct soup *obj_soup(const struct obj_source *source, char wrong[120])
     }
     if (soup && obj.triangles > 0 && obj.triangles <= GLINT_MESH_FACES_MAX) {
         soup->faces = allocate(obj.triangles, sizeof *soup->faces);
-        what = set_faces(&obj, soup);
+        what = set_faces(&obj, soup, source->textures);
     }
     if (what) {
         snprintf(wrong, 120, "line %lu: %s", obj.lines.number, what);

@@ -2,6 +2,7 @@
 #include "mesh/obj_materials.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -42,7 +43,7 @@ unsigned obj_materials_find(struct obj_materials *materials, const char *name)
             fail("out of memory");
         materials->of = grown;
     }
-    materials->of[materials->count] = (struct obj_material){.name = copy_of(name), .look = plain};
+    materials->of[materials->count] = (struct obj_material){.name = copy_of(name), .look = plain, .scale = {1, 1}};
     return materials->count++;
 }
 
@@ -70,36 +71,62 @@ static void take_highlight(struct mesh_material *look, const double parts[3])
         look->highlight[k] = look->has_highlight ? positive[k] / most : 0;
 }
 
-/* Options stand before the name: each has so many words behind it, or numbers. */
-static void take_picture(struct obj_material *material, char *at)
+/* Up to three numbers, as far as they go. */
+static char *take_numbers(char *at, float numbers[3])
 {
+    for (int k = 0; k < 3; k++) {
+        char *copy = copy_of(at), *in_copy = copy;
+        float number;
+        const char *word = lines_word(&in_copy);
+        const bool good = word && lines_number(word, &number);
+        if (good)
+            numbers[k] = number;
+        at += good ? in_copy - copy : 0;
+        free(copy);
+        if (!good)
+            break;
+    }
+    return at;
+}
+
+static void leave_out(const struct obj_materials *materials, const char *option, const char *what)
+{
+    char text[120];
+    snprintf(text, sizeof text, "%s %.30s of a map_Kd is left out", what, option);
+    materials->note(text);
+}
+
+/* Options stand before the name: each has a word behind it, or numbers. */
+static void take_picture(const struct obj_materials *materials, struct obj_material *material, char *at)
+{
+    enum { SCALE, MOVE, OTHER };
+    static const char *const words = " -blendu -blendv -cc -clamp -texres -type -imfchan -boost -bm ";
     static const struct {
         const char *name;
-        int words, numbers;
-    } options[] = {{"-blendu", 1, 0}, {"-blendv", 1, 0},  {"-cc", 1, 0},    {"-clamp", 1, 0}, {"-texres", 1, 0},
-                   {"-type", 1, 0},   {"-imfchan", 1, 0}, {"-boost", 1, 0}, {"-bm", 1, 0},    {"-mm", 0, 2},
-                   {"-o", 0, 3},      {"-s", 0, 3},       {"-t", 0, 3}};
+        float usual[3];
+    } options[] = {{"-s", {1, 1, 1}}, {"-o", {0}}, {"-t", {0}}, {"-mm", {0, 1}}};
+    float numbers[sizeof options / sizeof *options][3];
     bool clamps = false;
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        memcpy(numbers[i], options[i].usual, sizeof numbers[i]);
     while (*at == '-') {
-        const char *option = lines_word(&at), *word = "";
+        char spaced[24];
+        const char *option = lines_word(&at), *word;
         size_t i = 0;
-        float number;
         while (i < sizeof options / sizeof *options && strcmp(options[i].name, option) != 0)
             i++;
-        if (i == sizeof options / sizeof *options)
-            return; /* of another kind */
-        if (options[i].words && (word = lines_word(&at)) == NULL)
+        snprintf(spaced, sizeof spaced, " %.20s ", option);
+        if (i < sizeof options / sizeof *options) {
+            at = take_numbers(at, numbers[i]);
+            if (i >= OTHER && memcmp(numbers[i], options[i].usual, sizeof numbers[i]) != 0)
+                leave_out(materials, option, "the option");
+        } else if (!strstr(words, spaced)) {
+            leave_out(materials, option, "the picture behind the unknown option");
             return;
-        if (strcmp(option, "-clamp") == 0)
+        } else if ((word = lines_word(&at)) == NULL) {
+            return;
+        } else if (strcmp(option, "-clamp") == 0) {
             clamps = strcmp(word, "on") == 0;
-        for (int k = 0; k < options[i].numbers; k++) {
-            char *behind = at, *copy = copy_of(at), *in_copy = copy;
-            const bool good = (word = lines_word(&in_copy)) != NULL && lines_number(word, &number);
-            behind += in_copy - copy;
-            free(copy);
-            if (!good)
-                break;
-            at = behind;
         }
         at += strspn(at, " \t\v\f");
     }
@@ -108,6 +135,10 @@ static void take_picture(struct obj_material *material, char *at)
     free(material->picture);
     material->picture = copy_of(at);
     material->look.clamps = clamps;
+    for (int k = 0; k < 2; k++) {
+        material->scale[k] = (double)numbers[SCALE][k];
+        material->move[k] = (double)numbers[MOVE][k];
+    }
 }
 
 void obj_materials_read(struct obj_materials *materials, const char *text, size_t len)
@@ -140,7 +171,7 @@ void obj_materials_read(struct obj_materials *materials, const char *text, size_
         } else if (lines_begins(&lines, "illum", &rest)) {
             now->look.unlit = strcmp(rest, "0") == 0;
         } else if (lines_begins(&lines, "map_Kd", &rest)) {
-            take_picture(now, rest);
+            take_picture(materials, now, rest);
         }
     }
     lines_end(&lines);

@@ -16,11 +16,13 @@ struct property {
 };
 struct element {
     uint64_t count;
+    bool is_known; /* to libassimp */
     unsigned properties;
     struct property of[PROPERTIES_MAX];
 };
 struct body {
-    const char *at, *end;
+    char *at;
+    const char *end;
     bool is_text;
 };
 
@@ -28,11 +30,20 @@ static const char ends[] = "it ends before all that its header promises; export 
                   damaged[] = "its header is damaged; export it again",
                   misread[] =
                       "its data begin with the byte 10, which libassimp takes for the header's end; export it as text",
-                  odd_list[] = "a list's length is not a number from 0 on; export it again";
+                  odd_list[] = "a list's length is not a number from 0 on; export it again",
+                  short_line[] = "a line of its data has too few numbers: libassimp takes one for each vertex and each "
+                                 "face; export it again",
+                  unknown[] = "libassimp does not know an element that stands before others; export it without",
+                  torn[] = "a comment that names a texture stands among properties; move it above the elements";
 
 static bool is_blank(char c)
 {
     return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+static bool ends_line(char c)
+{
+    return c == '\n' || c == '\r';
 }
 
 /* ---- the header ---- */
@@ -42,8 +53,8 @@ static bool next_line(struct body *body, char line[LINE])
 {
     while (body->at < body->end && (*body->at == ' ' || *body->at == '\t'))
         body->at++;
-    const char *end = body->at;
-    while (end < body->end && *end != '\n' && *end != '\r')
+    char *end = body->at;
+    while (end < body->end && !ends_line(*end))
         end++;
     size_t len = (size_t)(end - body->at);
     if (end == body->end)
@@ -58,6 +69,13 @@ static bool next_line(struct body *body, char line[LINE])
     return true;
 }
 
+static bool is_in(const char *word, const char *words)
+{
+    char name[40];
+    snprintf(name, sizeof name, " %.36s ", word);
+    return strstr(words, name) != NULL;
+}
+
 /* 0: unknown. */
 static unsigned bytes_of(const char *type)
 {
@@ -68,10 +86,8 @@ static unsigned bytes_of(const char *type)
                  {" short ushort int16 uint16 ", 2},
                  {" int uint int32 uint32 float float32 ", 4},
                  {" double float64 ", 8}};
-    char name[40];
-    snprintf(name, sizeof name, " %.36s ", type);
     for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (strstr(types[i].names, name))
+        if (is_in(type, types[i].names))
             return types[i].bytes;
     return 0;
 }
@@ -104,9 +120,12 @@ static bool take_number(const char *word, uint64_t *number)
 
 static bool take_element(struct element *element, const char *line)
 {
-    char count[32], left;
+    char name[32], count[32], left;
     *element = (struct element){0};
-    return sscanf(line, "element %*s %31s %c", count, &left) == 1 && take_number(count, &element->count);
+    if (sscanf(line, "element %31s %31s %c", name, count, &left) != 2)
+        return false;
+    element->is_known = is_in(name, " vertex face tristrips edge material TextureFile ");
+    return take_number(count, &element->count);
 }
 
 static bool begins(const char *line, const char *word)
@@ -115,30 +134,49 @@ static bool begins(const char *line, const char *word)
     return strncmp(line, word, len) == 0 && (line[len] == 0 || is_blank(line[len]));
 }
 
-/* Returns what is wrong, or NULL; no elements: there are too many of them or of their properties, and libassimp is to judge. */
+/* The comment that libassimp reads. */
+static bool is_texture(const char *line)
+{
+    char word[16] = "";
+    return sscanf(line, "comment %15s", word) == 1 && strcmp(word, "TextureFile") == 0;
+}
+
+/* Returns what is wrong, or NULL; no elements: there are too many of them or of their properties, and libassimp is to judge. Lines that say nothing
+ * become blanks before the next one: among properties libassimp takes them for an element's end. */
 static const char *read_header(struct body *body, struct element elements[ELEMENTS_MAX], unsigned *count)
 {
     char line[LINE] = "", format[32] = "";
-    bool too_many = false;
+    bool too_many = false, is_torn = false;
     *count = 0;
     if (next_line(body, line) && !begins(line, "ply"))
         return damaged;
     for (;;) {
+        char *const from = body->at;
         if (!next_line(body, line))
             return ends;
         if (strcmp(line, "end_header") == 0)
             break;
         const bool is_element = begins(line, "element"), is_property = begins(line, "property");
+        if (is_texture(line)) {
+            is_torn = true;
+            continue;
+        }
+        if (!*line || begins(line, "comment") || begins(line, "obj_info")) {
+            memset(from, ' ', (size_t)(body->at - from));
+            continue;
+        }
         if (is_property && !*count)
             return damaged;
+        if (is_property && is_torn)
+            return torn;
+        is_torn = is_torn && !is_element;
         too_many = too_many || (is_element && *count == ELEMENTS_MAX) ||
                    (is_property && elements[*count - 1].properties == PROPERTIES_MAX);
         if (too_many)
             continue;
         if (is_element    ? !take_element(&elements[(*count)++], line)
             : is_property ? !take_property(&elements[*count - 1], line)
-                          : sscanf(line, "format %31s", format) != 1 && !begins(line, "comment") &&
-                                !begins(line, "obj_info") && *line)
+                          : sscanf(line, "format %31s", format) != 1)
             return damaged;
     }
     body->is_text = strcmp(format, "ascii") == 0;
@@ -155,11 +193,28 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
 
 /* ---- the body ---- */
 
-static bool skip_word(struct body *body)
+/* Empty lines become blanks before the next one, too. */
+static void skip_blanks(struct body *body)
 {
     while (body->at < body->end && is_blank(*body->at))
+        *body->at++ = ' ';
+}
+
+static void skip_line(struct body *body)
+{
+    while (body->at < body->end && !ends_line(*body->at))
         body->at++;
-    if (body->at == body->end)
+    body->at += body->at < body->end;
+    body->at += body->at < body->end && body->at[-1] == '\r' && *body->at == '\n';
+    skip_blanks(body);
+}
+
+/* Within a line. */
+static bool skip_word(struct body *body)
+{
+    while (body->at < body->end && (*body->at == ' ' || *body->at == '\t'))
+        body->at++;
+    if (body->at == body->end || ends_line(*body->at))
         return false;
     while (body->at < body->end && !is_blank(*body->at))
         body->at++;
@@ -179,13 +234,18 @@ static bool skip(struct body *body, uint64_t count, unsigned bytes)
     return count == 0;
 }
 
+static const char *too_short(const struct body *body)
+{
+    return body->is_text && body->at < body->end ? short_line : ends;
+}
+
 /* Returns what is wrong, or NULL. */
 static const char *take_length(struct body *body, const struct property *list, uint64_t *length)
 {
     char word[24] = "";
     const char *const at = body->at;
     if (!skip(body, 1, list->count_bytes))
-        return ends;
+        return too_short(body);
     if (body->is_text) {
         const char *from = at;
         while (is_blank(*from))
@@ -211,7 +271,7 @@ static const char *check_element(struct body *body, const struct element *elemen
         return NULL;
     if (!lists && !body->is_text)
         return skip(body, element->count, bytes) ? NULL : ends;
-    for (uint64_t i = 0; i < element->count; i++)
+    for (uint64_t i = 0; i < element->count; i++) {
         for (unsigned k = 0; k < element->properties; k++) {
             const struct property *property = &element->of[k];
             uint64_t length = 1;
@@ -219,12 +279,27 @@ static const char *check_element(struct body *body, const struct element *elemen
             if (wrong)
                 return wrong;
             if (!skip(body, length, property->bytes))
-                return ends;
+                return too_short(body);
         }
+        if (body->is_text) /* behind what may be there, too */
+            skip_line(body);
+    }
     return NULL;
 }
 
-const char *ply_check(const char *text, size_t len)
+/* libassimp does not skip these. */
+static bool has_unknown(const struct element *elements, unsigned count)
+{
+    bool is_before = false;
+    for (unsigned i = 0; i < count; i++) {
+        if (is_before && elements[i].is_known && elements[i].count)
+            return true;
+        is_before |= !elements[i].is_known && elements[i].count && elements[i].properties;
+    }
+    return false;
+}
+
+const char *ply_check(char *text, size_t len)
 {
     struct body body = {text, text + len, false};
     struct element elements[ELEMENTS_MAX];
@@ -232,6 +307,10 @@ const char *ply_check(const char *text, size_t len)
     const char *wrong = read_header(&body, elements, &count);
     if (!wrong && !body.is_text && body.at < body.end && *body.at == '\n' && body.at[-2] != '\r')
         return misread;
+    if (!wrong && has_unknown(elements, count))
+        return unknown;
+    if (!wrong && body.is_text)
+        skip_blanks(&body);
     for (unsigned i = 0; i < count && !wrong; i++)
         wrong = check_element(&body, &elements[i]);
     return wrong;

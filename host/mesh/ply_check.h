@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
- * Does a PLY hold what its header promises? libassimp reads beyond the end of one that does not, or fills up what is missing. */
+ * Does a PLY hold what its header promises? libassimp reads beyond the end of one that does not, or fills up what is missing;
+ * of a text it reads a line for each vertex and each face. */
 #ifndef GLINT_MESH_PLY_CHECK_H
 #define GLINT_MESH_PLY_CHECK_H
 
 #include <stddef.h>
 
-/* What is wrong, as the end of a message; NULL: nothing that is seen here. */
-const char *ply_check(const char *text, size_t len);
+/* What is wrong, as the end of a message; NULL: nothing that is seen here, and in the text comments are blanks, among which libassimp loses properties. */
+const char *ply_check(char *text, size_t len);
 
 #endif

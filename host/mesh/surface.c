@@ -11,6 +11,9 @@
 #include "mesh/texture.h"
 #include "models/models.h"
 
+enum { MULTIPLIED_PIXELS_MAX = 1 << 26 };
+static const double white[3] = {1, 1, 1};
+
 /* ---- pictures ---- */
 
 static void use_one_picture(struct soup *soup, const char *path)
@@ -158,10 +161,36 @@ static void multiply(struct mesh_picture *picture, const struct mesh_picture *fr
         picture->rgb[i] = levels[i % 3][from->rgb[i]];
 }
 
+/* Whether some part before has the same picture and factor. */
+static bool is_repeated(const struct soup *soup, unsigned part)
+{
+    const struct mesh_material *of = soup->materials;
+    unsigned same = 0;
+    while (same < part && (of[same].picture != of[part].picture || !is_factor(of[same].factor, of[part].factor)))
+        same++;
+    return same < part;
+}
+
+static void check_pixels(const struct soup *soup)
+{
+    size_t left = MULTIPLIED_PIXELS_MAX;
+    for (unsigned i = 0; i < soup->part_count; i++) {
+        const struct mesh_material *material = &soup->materials[i];
+        if (!material->picture || is_factor(material->factor, white) || is_repeated(soup, i))
+            continue;
+        const struct mesh_picture *picture = &soup->pictures[material->picture - 1];
+        const size_t pixels = (size_t)picture->width * picture->height;
+        if (pixels > left)
+            fail("%s: its textures, one for each colour of a material, have more than %d pixels; save smaller ones, or "
+                 "give --no-textures",
+                 soup->name, MULTIPLIED_PIXELS_MAX);
+        left -= pixels;
+    }
+}
+
 /* Of each picture and factor one picture. */
 static void multiply_pictures(struct soup *soup)
 {
-    static const double white[3] = {1, 1, 1};
     const unsigned count = soup->picture_count;
     struct mesh_picture *all = allocate(count + soup->part_count, sizeof *all);
     unsigned *from = allocate(soup->part_count, sizeof *from);
@@ -250,11 +279,12 @@ void mesh_surface_begin(struct soup *soup, const struct mesh_source *source)
             take_look(soup, &soup->materials[i]);
     soup->has_uv = find_pictures(soup);
     if (soup->has_uv) {
-        soup_check_uv(soup);
         forget_places(soup);
+        soup_check_uv(soup);
         say_what_repeats(soup);
         if (soup->has_colors)
             fold_colors(soup);
+        check_pixels(soup);
         multiply_pictures(soup);
     }
     forget_pictures(soup);

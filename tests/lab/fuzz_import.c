@@ -101,6 +101,8 @@ static void send_all(struct input *input)
     const unsigned words = next_byte(input);
     memset(head.message, words & 1 ? 'm' : 0, words & 2 ? sizeof head.message : 9);
     memset(head.refused, words & 4 ? 'r' : 0, words & 8 ? sizeof head.refused : 9);
+    memset(head.notes, words & 16 ? 'n' : 0, words & 32 ? sizeof head.notes : 9);
+    head.notes[99] = words & 64 ? '\n' : head.notes[99];
     head.face_count = next_count(input);
     head.part_count = next_count(input);
     head.file_count = next_count(input);

@@ -15,11 +15,17 @@ static struct {
     unsigned times;
 } library;
 
-static void read_library(struct obj_materials *materials, const char *name)
+static bool read_library(struct obj_materials *materials, const char *name)
 {
     check(*name);
     if (library.times++ < 4) /* long ones by many names take long */
         obj_materials_read(materials, (const char *)library.text, library.len);
+    return *name != 'm';
+}
+
+static void check_text(const char *text)
+{
+    check(*text);
 }
 
 static void check_soup(const struct soup *soup, bool textures)
@@ -52,7 +58,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     library.text = more;
     library.len = rest;
     library.times = 0;
-    const struct obj_source source = {(const char *)text, count, textures, read_library};
+    const struct obj_source source = {(const char *)text, count, textures, read_library, check_text, check_text};
     char wrong[120] = "";
     struct soup *soup = obj_soup(&source, wrong);
     check(soup ? !*wrong : strncmp(wrong, "line ", 5) == 0 && memchr(wrong, 0, sizeof wrong));

@@ -18,7 +18,7 @@ UNIT_CHOSEN := $(filter $(wildcard tests/unit/*/*$(TEST)*),$(UNIT_CHOSEN))
 endif
 UNIT_TESTS = $(patsubst tests/unit/%.c,$(BUILD)/tests/unit/%,$(UNIT_CHOSEN))
 # What make check leaves to make test-unit: slow/, and of what also runs with sanitizers these, of two seconds or more each.
-UNIT_LONG = $(addprefix $(BUILD)/tests/unit/host/test_,bake material mesh_files output paper reference search stream terminal)
+UNIT_LONG = $(addprefix $(BUILD)/tests/unit/host/test_,bake material mesh_files mesh_readers output paper reference search stream terminal)
 UNIT_SANITIZABLE = $(filter-out $(BUILD)/tests/unit/slow/%,$(UNIT_TESTS))
 UNIT_QUICK = $(filter-out $(UNIT_LONG),$(UNIT_SANITIZABLE))
 UNIT_SCRIPTS = $(filter-out %.c,$(wildcard tests/unit/*/test_*))

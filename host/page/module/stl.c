@@ -158,7 +158,7 @@ static void warn_not_here(const char *name)
     warn("%s: names %s, which is not here: drop or choose it together with the mesh", obj_name, name);
 }
 
-static void read_library(struct obj_materials *materials, const char *name)
+static bool read_library(struct obj_materials *materials, const char *name)
 {
     size_t len;
     char *key = key_of(name);
@@ -166,10 +166,14 @@ static void read_library(struct obj_materials *materials, const char *name)
     if (text) {
         check_name(name, "OBJ");
         obj_materials_read(materials, (const char *)text, len);
-    } else {
-        warn_not_here(name);
     }
     free(key);
+    return text != NULL;
+}
+
+static void say_note(const char *text)
+{
+    warn("%s: %s", obj_name, text);
 }
 
 /* Parts whose picture is not here have their colour. */
@@ -197,7 +201,7 @@ static void take_pictures(struct soup *soup)
 
 static struct soup *obj_of(const char *path, const uint8_t *bytes, size_t len, bool textures)
 {
-    const struct obj_source source = {(const char *)bytes, len, textures, read_library};
+    const struct obj_source source = {(const char *)bytes, len, textures, read_library, warn_not_here, say_note};
     char wrong[120];
     obj_name = path;
     forget_names();

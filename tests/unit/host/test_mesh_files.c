@@ -299,7 +299,9 @@ static void an_output_that_is_a_file_of_the_mesh_is_refused_and_kept(void **stat
     }
     assert_int_equal(run("$GLINT bake --mesh m.gltf -o other.bin")->status, 0);
     /* A pipe in the place of the materials is not waited for: the mesh has none. */
-    assert_quiet("rm m.mtl && mkfifo m.mtl && $GLINT render --mesh m.obj --size 9x9 -o pipe.ppm");
+    const struct run *result = run("rm m.mtl && mkfifo m.mtl && $GLINT render --mesh m.obj --size 9x9 -o pipe.ppm");
+    assert_int_equal(result->status, 0);
+    assert_string_equal(result->err, "glint: m.obj: names m.mtl, which is left out: it is not a regular file\n");
 }
 
 static void materials_take_the_memory_of_those_that_are_there(void **state)

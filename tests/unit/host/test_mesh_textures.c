@@ -269,7 +269,7 @@ static void an_obj_wears_the_picture_that_its_material_names(void **state)
     assert_quarter("b.ppm", 1, 1, (uint8_t[]){9, 99, 199}, 0);
     assert_quiet("mv maps/four.png .");
     /* Options before the name, which may have blanks. */
-    static const char *const options[] = {"-s 2 2 -o 1", "-clamp off -blendu on", "-mm 0 1 -bm .5 -s 1 1 1"};
+    static const char *const options[] = {"-s 1 1 -o 1", "-clamp off -blendu on", "-mm 0 1 -bm .5 -s 1 1 1"};
     for (unsigned i = 0; i < sizeof options / sizeof *options; i++) {
         char text[100];
         snprintf(text, sizeof text, "newmtl a\n\tmap_Kd %s the four.png\n", options[i]);

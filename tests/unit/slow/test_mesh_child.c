@@ -136,7 +136,7 @@ static void a_face_that_would_take_long_to_cut_is_refused_with_its_line(void **s
     for (int i = 1; i <= CORNERS; i++)
         fprintf(obj, " %d", i);
     fclose(obj);
-    assert_null(obj_soup(&(struct obj_source){text, len, false, NULL}, wrong));
+    assert_null(obj_soup(&(struct obj_source){text, len, false, NULL, NULL, NULL}, wrong));
     assert_string_equal(wrong, "line 20001: a face has too many corners and dents; cut it into triangles");
     free(text);
 }
@@ -166,7 +166,8 @@ static void the_childs_death_is_one_line_and_it_runs_with_limits(void **state)
                          ->status,
                      0);
     static const char facet[] =
-        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n";
+        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n"
+        "endsolid a\n";
     write_text("crash.stl", facet);
     write_text("quit.stl", facet);
     write_text("other.stl", facet);

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ * Does a text STL have its end? libassimp takes what there is. */
+#ifndef GLINT_MESH_STL_CHECK_H
+#define GLINT_MESH_STL_CHECK_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A binary STL has as many bytes as the count after its comment says. The comment may begin as a text STL does. */
+bool stl_is_binary(const char *bytes, size_t len);
+/* What is wrong, as the end of a message; NULL: nothing that is seen here. */
+const char *stl_check(const char *bytes, size_t len);
+
+#endif

@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: MIT
+ * Files of meshes as programs write them, and damaged ones: what is read as it is meant, and what is refused or left out with one line. */
+#include "files.h"
+
+#if GLINT_WITH_MESH
+/* `made` makes the file made.* of the ending that `from` has, and bake makes the same of both. */
+static void assert_same_mesh(const char *from, const char *made)
+{
+    char line[1000];
+    snprintf(line, sizeof line,
+             "$GLINT bake --mesh %s --as raw -o wanted.bin >report && { %s; } && "
+             "$GLINT bake --mesh made.${from##*.} --as raw -o made.bin >report && cmp wanted.bin made.bin",
+             from, made);
+    setenv("from", from, 1);
+    assert_quiet(line);
+}
+
+/* ---- PLY ---- */
+
+#define PLY_VERTICES "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+#define PLY_FACES "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
+
+/* Beside colours, which are drawn. */
+static void a_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state)
+{
+    (void)state;
+    static const char *const edits[] = {
+        /* columns, with a property and without */
+        "s/^element face/property float quality\\nproperty uchar kind\\n&/; s/^[^pef3].*[0-9]$/& .5 255/",
+        "s/^property float x/property double confidence\\n&/; s/^[0-9] [0-9] [0-9]$/1 &/", "s/^[0-9] [0-9] [0-9]$/& 9/",
+        "s/^3 .*/& 255 0 9/", "s/^end_header/property uchar red\\n&/; s/^3 .*/& 255/",
+        "s/^property list/property int flags\\n&/; s/^3 /7 &/",
+        /* lines of a header among properties and before them */
+        "s/^property float [xyz]/comment of a program\\n&/", "s/^property float y/obj_info 4 of them\\n\\n &/",
+        "s/^property/\\n&/", "s/^property/ \\t \\n&/", "s/^property list/comment 1\\nobj_info vertex 1\\n&/",
+        "s/^format/comment first\\n&/", "s/^element/comment 2 vertices\\n&/", "s/^end_header/comment\\n\\n&/",
+        /* elements that nothing is made of, and empty lines */
+        "s/^element face/element edge 1\\nproperty int vertex1\\n&/; s/^3 0 1 2/1\\n&/",
+        "s/^end_header/element camera 1\\nproperty float view_px\\n&/; $s/$/\\n9/",
+        "s/^element face/element camera 0\\n&/", "s/^[0-9].*/\\n&\\n/"};
+    write_text("a.ply", PLY_VERTICES PLY_FACES "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n");
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        char made[300];
+        snprintf(made, sizeof made, "sed '%s' a.ply >made.ply && ! cmp -s a.ply made.ply", edits[i]);
+        assert_same_mesh("a.ply", made);
+    }
+    assert_same_mesh("a.ply",
+                     "long=$(printf '%5000s' | tr ' ' x) && sed \"s/^property/comment $long\\n&/\" a.ply >made.ply");
+}
+
+/* Vertices have a float and a byte that nothing is made of. */
+static void a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state)
+{
+    (void)state;
+    static const char *const formats[] = {"binary_little_endian", "binary_big_endian"};
+    for (int big = 0; big < 2; big++) {
+        FILE *file = fopen("made.bin.ply", "wb");
+        assert_non_null(file);
+        fprintf(
+            file,
+            "ply\ncomment first\nformat %s 1.0\nobj_info 4\nelement vertex 4\ncomment of places\nproperty float x\n\n"
+            "obj_info y\nproperty float y\nproperty float z\nproperty float quality\nproperty uchar kind\n"
+            "element face 2\ncomment 3\nproperty list uchar int vertex_indices\ncomment last\nend_header\n",
+            formats[big]);
+        for (unsigned i = 0; i < 16; i++) {
+            const uint32_t tops[16] = {0, 0,          0, 0x41, 0x40000000, 0,          0,          0x42,
+                                       0, 0x3f800000, 0, 0x43, 0x40000000, 0x40000000, 0x3f800000, 0x44};
+            const uint32_t bits = big ? __builtin_bswap32(tops[i]) : tops[i];
+            fwrite(&bits, 4, 1, file);
+            if (i % 4 == 3)
+                fputc(255, file);
+        }
+        for (unsigned i = 0; i < 6; i++) {
+            const uint32_t index = (uint32_t[]){0, 1, 2, 1, 2, 3}[i];
+            if (i % 3 == 0)
+                fputc(3, file);
+            fwrite(&(uint32_t){big ? __builtin_bswap32(index) : index}, 4, 1, file);
+        }
+        assert_int_equal(fclose(file), 0);
+        assert_same_mesh("a.ply", "cp made.bin.ply made.ply");
+    }
+}
+
+static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **state)
+{
+    (void)state;
+    static const char *const edits[][2] = {
+        {"s/^0 1 0/0 1\\n0/", "a line of its data has too few numbers"},
+        {"s/^3 0 1 2/3 0 1\\n2/", "a line of its data has too few numbers"},
+        {"/^0 0 0/N; s/^0 0 0\\n/0 0 0 /", "it ends before all that its header promises"},
+        {"s/^element face/element camera 1\\nproperty float view_px\\n&/; s/^3 0 1 2/9\\n&/",
+         "libassimp does not know an element that stands before others"},
+        {"s/^property float y/comment TextureFile a.png\\n&/",
+         "a comment that names a texture stands among properties"}};
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        char line[300];
+        snprintf(line, sizeof line, "sed '%s' a.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", edits[i][0]);
+        assert_fails(line, edits[i][1]);
+    }
+    assert_false(exists("no.c"));
+}
+
+/* ---- STL ---- */
+
+#define FACET(z) "facet normal 0 0 1\nouter loop\nvertex 0 0 " #z "\nvertex 0 1 1\nvertex 2 0 0\nendloop\nendfacet\n"
+
+static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **state)
+{
+    (void)state;
+    static const char text[] = "solid a\n" FACET(0) "endsolid a\nsolid b\n" FACET(1) FACET(2) "endsolid b";
+    static const char *const whole[] = {"s/solid.*/solid/",
+                                        "s/^/  /; $s/$/ \\t \\r\\n\\n \\n/",
+                                        "s/$/\\r/",
+                                        "s/endsolid/ENDSOLID/",
+                                        "s/endsolid/end solid/",
+                                        "$s/$/\\nfacets: 3/",
+                                        "s/\\(.*solid\\).*/\\1 facet solid/",
+                                        "/^endsolid a/d; /^solid b/d",
+                                        "$s/$/\\x00\\x00/"};
+    write_text("a.stl", text);
+    for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
+        char made[200];
+        snprintf(made, sizeof made, "sed '%s' a.stl >made.stl && ! cmp -s a.stl made.stl", whole[i]);
+        assert_same_mesh("a.stl", made);
+    }
+    const size_t ends[] = {(size_t)(strstr(text, "endsolid a") - text), strlen(text) - 2};
+    for (size_t cut = 9; cut < ends[1]; cut += 9) {
+        char line[200];
+        if (cut >= ends[0] + 8 && cut < ends[0] + strlen("endsolid a\nsolid"))
+            continue; /* a whole solid */
+        snprintf(line, sizeof line, "head -c %zu a.stl >cut.stl && $GLINT bake --mesh cut.stl -o no.c", cut);
+        assert_fails(line, "cut.stl: libassimp cannot read this mesh: it ends without endsolid: a part is missing");
+    }
+    write_text("cut.stl", "solid a\nendsolid a\n");
+    assert_fails("$GLINT bake --mesh cut.stl -o no.c", "it has no facets");
+}
+
+/* ---- other files ---- */
+
+/* libassimp would read them, unchecked. */
+static void a_gltf_that_begins_as_another_format_is_refused(void **state)
+{
+    (void)state;
+    write_text("a.obj", "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
+    write_text("a.stl", "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 2 0 0\nvertex 0 0 1\nendloop\n"
+                        "endfacet\nendsolid a\n");
+    write_text("a.text", "glT");
+    write_text("a.blank", " \n \n");
+    write_text("a.loop",
+               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\npropererty list uchar i\n 0 0 2 3\n");
+    static const char *const files[] = {"obj", "stl", "ply", "text", "blank", "loop"}, *const endings[] = {"gltf",
+                                                                                                           "glb"};
+    for (size_t i = 0; i < 2 * sizeof files / sizeof *files; i++) {
+        char line[200], wanted[100];
+        snprintf(line, sizeof line, "cp a.%s b.%s && $GLINT bake --mesh b.%s -o no.c", files[i / 2], endings[i % 2],
+                 endings[i % 2]);
+        snprintf(wanted, sizeof wanted, "b.%s: does not begin as a .%s does", endings[i % 2], endings[i % 2]);
+        assert_fails(line, wanted);
+    }
+}
+
+/* ---- OBJ ---- */
+
+/* Draws a.obj, whose line of MTLs is this, and says the line, or nothing; whether triangles of materials a and b are red and green. */
+static void assert_libraries(const char *line, const char *said, bool is_red, bool is_green)
+{
+    char command[300];
+    uint8_t bytes[13 + 40 * 20 * 3];
+    setenv("line", line, 1);
+    snprintf(
+        command, sizeof command,
+        "{ echo \"$line\"; cat plain.obj; } >a.obj && $GLINT render --mesh a.obj --size 40x20 --image ppm -o a.ppm");
+    const struct run *result = run(command);
+    assert_int_equal(result->status, 0);
+    assert_string_equal(result->err, said);
+    assert_int_equal(read_file("a.ppm", bytes, sizeof bytes), sizeof bytes);
+    unsigned red = 0, green = 0;
+    for (size_t i = 13; i < sizeof bytes; i += 3) {
+        red += bytes[i] > bytes[i + 1] + 60;
+        green += bytes[i + 1] > bytes[i] + 60;
+    }
+    assert_int_equal(red > 20, is_red);
+    assert_int_equal(green > 20, is_green);
+}
+
+static void an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others(void **state)
+{
+    (void)state;
+    write_text("plain.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nusemtl a\nf 1 2 3\nusemtl b\nf 2 4 3\n");
+    write_text("red.mtl", "newmtl a\nKd 1 0 0\n");
+    write_text("green.mtl", "newmtl b\nKd 0 1 0\n");
+    write_text("two words.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\n");
+    assert_quiet("truncate -s 17M large.mtl");
+    assert_libraries("mtllib red.mtl", "", true, false);
+    assert_libraries("mtllib red.mtl green.mtl", "", true, true);
+    assert_libraries("mtllib\tred.mtl  ./green.mtl # both", "", true, true);
+    assert_libraries("mtllib red.mtl\nmtllib green.mtl", "", true, true);
+    assert_libraries("mtllib two words.mtl", "", true, true);
+    assert_libraries("mtllib none.mtl\nmtllib none.mtl",
+                     "glint: a.obj: names none.mtl, which is left out: No such file or directory\n", false, false);
+    assert_libraries("mtllib none.mtl green.mtl",
+                     "glint: a.obj: names none.mtl, which is left out: No such file or directory\n", false, true);
+    assert_libraries("mtllib no words.mtl",
+                     "glint: a.obj: names no words.mtl, which is left out: No such file or directory\n", false, false);
+    assert_libraries("mtllib large.mtl", "glint: a.obj: names large.mtl, which is left out: it has more than 16 MB\n",
+                     false, false);
+}
+
+/* As if the places in the picture were these. */
+static void an_mtls_picture_is_scaled_and_moved_and_other_options_are_said(void **state)
+{
+    (void)state;
+    static const char *const same[][2] = {{"-s .5 .25 1", "u * .5, v * .25"},
+                                          {"-s .5", "u * .5, v"},
+                                          {"-o .5 .25 0", "u + .5, v + .25"},
+                                          {"-clamp off -o .25 -s .5 .5", "u * .5 + .25, v * .5"},
+                                          {"-mm 0 1 -t 0 0 0 -o 0 0 0 -s 1 1 1 -bm 1", "u, v"}};
+    static const char *const said[][2] = {
+        {"-mm .5 2 -s 1", "the option -mm of a map_Kd is left out"},
+        {"-t 1", "the option -t of a map_Kd is left out"},
+        {"-what 1", "the picture behind the unknown option -what of a map_Kd is left out"}};
+    static const char square[] =
+        "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt .5 0\nvt .5 .5\nvt 0 .5\nusemtl a\n"
+        "f 1/1 2/2 3/3 4/4\n";
+    uint16_t samples[64];
+    for (unsigned i = 0; i < 64; i++)
+        samples[i] = (uint16_t)(i * i * 31 % 256);
+    make_png("map.png", &(struct made_png){.width = 8, .height = 8, .bits = 8, .samples = samples});
+    write_text("square.obj", square);
+    write_text("wanted.mtl", "newmtl a\nmap_Kd map.png\n");
+    for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+        setenv("options", same[i][0], 1);
+        setenv("places", same[i][1], 1);
+        assert_quiet("{ echo mtllib wanted.mtl; awk \"/^vt/ { u = \\$2; v = \\$3; print \\\"vt\\\", $places; next } "
+                     "1\" square.obj; } >wanted.obj && "
+                     "{ echo mtllib made.mtl; cat square.obj; } >made.obj && printf 'newmtl a\nmap_Kd %s map.png\n' "
+                     "\"$options\" >made.mtl && "
+                     "for i in wanted made; do $GLINT render --mesh $i.obj --size 40x40 -o $i.ppm || exit 1; done");
+        assert_same_file("wanted.ppm", "made.ppm");
+    }
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++) {
+        setenv("options", said[i][0], 1);
+        const struct run *result = run("printf 'newmtl a\nmap_Kd %s map.png\n' \"$options\" >made.mtl && "
+                                       "$GLINT render --mesh made.obj --size 40x40 -o made.ppm");
+        char line[200];
+        snprintf(line, sizeof line, "glint: made.obj: %s\n", said[i][1]);
+        assert_string_equal(result->err, line);
+        assert_int_equal(result->status, 0);
+    }
+}
+
+static void colours_of_an_objs_vertices_go_to_1_or_to_255(void **state)
+{
+    (void)state;
+    write_text("one.obj", "v 0 0 0 1 .2 0\nv 2 0 0 .4 1 0\nv 0 2 0 0 .6 1\nf 1 2 3\n");
+    assert_same_mesh("one.obj",
+                     "sed 's/ 1 .2 0$/ 255 51 0/; s/ .4 1 0$/ 102 255 0/; s/ 0 .6 1$/ 0 153 255/' one.obj >made.obj");
+    assert_same_mesh("one.obj", "sed 's/ 1 .2 0$/ 1.001 .2 0/' one.obj >made.obj"); /* rounded */
+}
+
+/* ---- textures and normals ---- */
+
+static void a_normal_that_is_no_number_is_as_if_it_had_no_length(void **state)
+{
+    (void)state;
+    static const char *const odd[] = {"nan nan nan", "0 nan 1", "0 0 1e999", "inf 0 0"};
+    write_text("normals.obj",
+               "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nvn 0 0 -1\nvn 0 0 0\nf 1//1 2//1 3//2\nf 2//1 4//1 3//1\n");
+    for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
+        setenv("odd", odd[i], 1);
+        assert_quiet("sed \"s/^vn 0 0 0/vn $odd/\" normals.obj >odd.obj && for i in normals odd; do "
+                     "$GLINT bake --mesh $i.obj --flip-faces --to int16 --as raw -o $i.bin 2>said >report || exit 1; "
+                     "done; cmp normals.bin odd.bin");
+    }
+}
+
+/* A copy of it a colour: 72 million pixels. */
+static void textures_in_many_colours_have_a_limit_of_memory(void **state)
+{
+    (void)state;
+    enum { SIDE = 2048, MATERIALS = 18 };
+    uint16_t *samples = calloc(SIDE * SIDE, sizeof *samples);
+    assert_non_null(samples);
+    make_png("big.png", &(struct made_png){.width = SIDE, .height = SIDE, .bits = 1, .samples = samples});
+    free(samples);
+    FILE *obj = fopen("many.obj", "w"), *mtl = fopen("many.mtl", "w");
+    assert_true(obj && mtl);
+    fputs("mtllib many.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n", obj);
+    for (int i = 0; i < MATERIALS; i++) {
+        fprintf(obj, "usemtl m%d\nf 1/1 2/2 3/3\n", i);
+        fprintf(mtl, "newmtl m%d\nKd %g .5 .5\nmap_Kd big.png\n", i, (1 + i % 17) / 20.);
+    }
+    assert_int_equal(fclose(obj) | fclose(mtl), 0);
+    assert_fails("$GLINT render --mesh many.obj --size 9x9 -o no.ppm",
+                 "many.obj: its textures, one for each colour of a material, have more than 67108864 pixels");
+    assert_quiet("$GLINT render --mesh many.obj --no-textures --size 9x9 -o many.ppm");
+}
+
+static void places_in_a_picture_matter_only_where_there_is_one(void **state)
+{
+    (void)state;
+    uint16_t samples[4] = {0, 99, 200, 255};
+    make_png("small.png", &(struct made_png){.width = 2, .height = 2, .bits = 8, .samples = samples});
+    write_text("places.mtl", "newmtl a\nmap_Kd small.png\nnewmtl b\n");
+    write_text("places.obj", "mtllib places.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 2 0\nvt 0 0\nvt 1 0\nvt 9e6 nan\n"
+                             "usemtl a\nf 1/1 2/2 3/1\nusemtl b\nf 2/3 4/3 3/3\n");
+    assert_quiet("$GLINT render --mesh places.obj --size 9x9 -o places.ppm");
+    assert_fails("sed 's/usemtl b/usemtl a/' places.obj >odd.obj && $GLINT render --mesh odd.obj --size 9x9 -o no.ppm",
+                 "triangle 2 has a texture coordinate that is not a number below 10^6");
+}
+
+/* A fan whose blades do not touch but in its middle, and a wall of as many tiles: of these, side by side, few are compared with each other. */
+static void the_search_for_edges_side_by_side_has_a_limit_of_steps(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "awk 'BEGIN { print \"v 0 0 0\"; for (i = 0; i < 20000; i++) { a = i * 6.283185307 / 20000; b = a + .0002; "
+        "print \"v\", cos(a), sin(a), 0; print \"v\", cos(b), sin(b), 0; print \"f 1 -2 -1\" } }' >fan.obj && "
+        "awk 'BEGIN { for (i = 0; i < 20000; i++) { y = i % 141; z = int(i / 141); print \"v 0\", y, z; "
+        "print \"v 0\", y + .5, z; print \"v 0\", y, z + .5; print \"f -3 -2 -1\" } }' >wall.obj && "
+        "$GLINT render --mesh wall.obj --turn 0,90,0 --flip-faces --size 9x9 -o wall.ppm 2>said; ! grep open said");
+    const struct run *result = run("$GLINT render --mesh fan.obj --size 9x9 -o fan.ppm");
+    assert_int_equal(result->status, 0);
+    assert_contains(result->err, "fan.obj: has too many open edges to find which lie side by side");
+}
+#endif
+
+static void nothing_is_left_behind(void **state)
+{
+    (void)state;
+    assert_false(exists("no.c") || exists("no.h") || exists("no.ppm"));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+#if GLINT_WITH_MESH
+        cmocka_unit_test(a_ply_is_read_whatever_it_holds_beside_places_and_faces),
+        cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
+        cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
+        cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
+        cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
+        cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
+        cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
+        cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
+        cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
+        cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
+        cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
+        cmocka_unit_test(the_search_for_edges_side_by_side_has_a_limit_of_steps),
+#endif
+        cmocka_unit_test(nothing_is_left_behind),
+    };
+    return cmocka_run_group_tests_name("mesh readers", tests, scratch_make, scratch_remove);
+}
