@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * For Eva: loops over COLOUR and ALBEDO tables as they are filled, of any colours, lights, normals, coverage and spans, for every shift, and triangles
- * of meshes. The fused loops of INT8 normals over ALBEDO tables are left to tests.
- * eva: -eva-precision 1 -eva-min-loop-unroll 24 -eva-slevel 8 -eva-slevel-function colour_glossy:1000,over_off:200,over_part:200,__builtin_clz:200,glint_mesh_zeros:200,glint_colour_int8:3000,fused_dither:3000 -split-zeros -eva-use-spec glint_mesh_inverse */
+ * of meshes.
+ * eva: -eva-precision 1 -eva-min-loop-unroll 24 -eva-slevel 8 -eva-slevel-function colour_glossy:1000,over_off:200,over_part:200,__builtin_clz:200,glint_mesh_zeros:200,glint_colour_int8:3000,fused_dither:3000,fused_albedo:3000 -split-zeros -eva-use-spec glint_mesh_inverse */
 #include "eva.h"
 #include "eva_meshes.h"
 #include "glint_mesh_strip.h"
@@ -180,6 +180,18 @@ void eva_dither_words(void)
             glint_dither_int8_plain(&paint, words, w, (uint16_t *)pixels, phase, any);
             glint_dither_int8_swapped(&paint, words, w, (uint16_t *)pixels, phase, any);
         }
+}
+/* In Q25, as eva_tables.c shows of eva_light_albedo; levels begin with memory. */
+void eva_albedo_words(void)
+{
+    of_levels(12);
+    paint.of.tables.x = any_signed % 263169;
+    paint.of.tables.y = any_signed % 1025;
+    paint.of.tables.z = any_signed % 1025;
+    for (uint32_t w = 1; w <= WIDE; w++) {
+        glint_albedo_int8(&paint, words, albedo, w, (uint16_t *)pixels);
+        glint_albedo_int8_swapped(&paint, words, albedo, w, (uint16_t *)pixels);
+    }
 }
 
 /* Spans: by the fused loop where there is one, and by samples, with a highlight's box. */
