@@ -248,5 +248,44 @@ run([
         const words = (await shownIsDrawn()).join(' ')
         check(/^--height=hills\.png --mask=mask\.png --gloss=gloss\.png/.test(words), words)
     }],
+    ['a drop is taken while the light moves; one that is refused leaves a mesh, its pose and its steps to undo as they were', async () => {
+        const hills = surfaces['grey8.png'].bytes, name = 'ring.stl'
+        command.put(name, meshes[name])
+        command.put('moving.png', hills)
+        await browser.go(start)
+        await page.click('#orbit')
+        await browser.drop({ 'moving.png': hills })
+        await browser.until(() => document.body.dataset.kept === 'moving.png')
+        await page.click('#orbit')
+        check((await shownIsDrawn()).includes('--height=moving.png'), 'a height map')
+        await browser.drop({ [name]: meshes[name] })
+        await browser.until(name => document.body.dataset.kept === name, name)
+        await shownIsDrawn()
+        await page.click('#orbit')
+        await page.click('#turn')
+        for (const [i, bytes] of [Buffer.from('no'), extras['albedo.png']].entries()) { // before it is tried, and by the worker
+            const bad = `gloss ${i}.png`
+            await page.evaluate(() => { // the mesh is turned while the file is read
+                const { arrayBuffer } = Blob.prototype
+                Blob.prototype.arrayBuffer = async function () {
+                    Blob.prototype.arrayBuffer = arrayBuffer
+                    document.getElementById('handle-1').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }))
+                    await new Promise(requestAnimationFrame)
+                    await new Promise(requestAnimationFrame)
+                    return arrayBuffer.call(this)
+                }
+            })
+            await browser.drop({ [bad]: bytes })
+            await browser.until(said => document.getElementById('refusal').textContent.startsWith(said), i ? '--gloss' : bad)
+            await browser.until(i => document.body.dataset.state.includes(`turn=25,${5 * i - 30},0`), i)
+        }
+        await page.click('#orbit')
+        await shownIsDrawn()
+        for (let i = 0; i < 8; i++) {
+            await press('Undo')
+            const words = (await shownIsDrawn()).join(' ')
+            check(!words.includes('gloss'), `undone: ${words}`)
+        }
+    }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

@@ -15,8 +15,8 @@ import type { Kind, State } from './words'
 /** A file that is refused leaves all as it was: address, rows and picture, and what had its name. Why it is refused, or ''. */
 async function take(file: File, kind: Kind, named: File[] = []): Promise<string> {
     const name = file.name.replace(/[/\\]/g, '_') // in the command line it must not look like a path
-    const before = current(), had = bytesOf(name)
-    let refusal = ''
+    const had = bytesOf(name)
+    let before = current(), tried: Partial<State> | undefined, refusal = ''
     try {
         if (/\.mtl$/i.test(name))
             throw new Error(`${name}: these are materials; drop or choose them together with their OBJ`)
@@ -28,6 +28,7 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
         if (kind === 'texture')
             checkTexture(name, bytes)
         const isLogo = await putFile(name, kind, bytes)
+        before = current() // what moves has moved meanwhile
         if (before[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             await redraw()
         } else {
@@ -36,7 +37,7 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
                 : kind === 'mesh' ? { ...noSurface, size, turn: '25,-35,0' } // not flat from the side
                     : kind === 'height' && isLogo ? { ...noSurface, size, bevel: '6', fit: '70', ...lookOfLogo(before) }
                         : { ...noSurface, size: undefined }
-            change({ ...surface, [kind]: name })
+            change(tried = { ...surface, [kind]: name })
         }
         refusal = await settled()
     } catch (error) {
@@ -51,8 +52,8 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
         await putFile(name, kind, had).catch(() => undefined)
     else
         forgetFile(name)
-    if (current() !== before)
-        takeBack(before)
+    if (tried)
+        takeBack(before, tried)
     else if (before[kind] === name)
         void redraw()
     await settled()
