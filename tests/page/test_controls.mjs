@@ -206,6 +206,12 @@ run([
         await page.keyboard.press('ArrowRight')
         await browser.until(() => document.getElementById('refusal').hidden)
         equal((await shownIsDrawn()).join(' '), '--scene=coin --light=0.04,0,0.999', 'the light that was moved')
+        for (const [light, key, word] of [['light=a,b', 'PageUp', '--light=0,0,0.05'], ['light=.3', 'PageUp', '--light=.3,0,0.05'], ['light=1e999,.2,1e999', 'ArrowUp', '--light=0,0.98'], ['point=9,9,x,200', 'PageUp', '--point=9,9,4,200']]) {
+            await browser.go(`scene=coin&${light}`)
+            await page.focus('#handle-1')
+            await page.keyboard.press(key)
+            check((await shownIsDrawn()).join(' ').includes(word), `${light}, then ${key}: ${await browser.text('command')}`)
+        }
     }],
     ['what the command would refuse cannot be chosen, and says why', async () => {
         const random = randomly(77)
