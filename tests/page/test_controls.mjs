@@ -308,6 +308,28 @@ run([
         await browser.set('control-n', '9')
         check((await shownIsDrawn()).includes('-n9'), 'nothing is drawn after that')
     }],
+    ['an address that is refused, and why, stay when the picture in its place is stopped', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            globalThis.Worker = class extends Worker {
+                set onmessage(then) {
+                    super.onmessage = event => {
+                        then(event)
+                        this.isHeld ||= event.data.error !== undefined && globalThis.workers[0] === this
+                    }
+                }
+            }
+        })
+        await page.goto('about:blank')
+        await page.goto(`${browser.url}#scene=coins&n=7`)
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+        await browser.until(() => document.getElementById('refusal')?.hidden === false && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        await browser.until(() => document.body.dataset.drawn !== undefined && document.body.dataset.drawn === document.body.dataset.state)
+        equal(await page.evaluate(() => document.body.dataset.state), 'scene=coins&n=7', 'the state')
+        check((await browser.text('refusal')).startsWith('--scene: unknown scene'), await browser.text('refusal'))
+        await press('Dial')
+        equal((await shownIsDrawn()).join(' '), '--scene=dial --size=240x240 -n7', 'a surface chosen then')
+    }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)
         await browser.tab('output')

@@ -70,9 +70,10 @@ async function draw(now: State): Promise<void> {
     } catch (error) {
         if (error instanceof Stopped)
             throw error
-        if (!drawn && now !== start) // there is no last good picture
-            put({ ...await ask('draw', wordsOf(start)), state: start, asked: start, standsIn: true })
-        print((error as Error).message, [])
+        print((error as Error).message)
+        const inPlace = !drawn && now !== start && await ask('draw', wordsOf(start)).catch(() => undefined) // there is no last good picture
+        if (inPlace)
+            put({ ...inPlace, state: start, asked: start, standsIn: true })
     }
 }
 
