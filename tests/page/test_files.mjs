@@ -287,5 +287,30 @@ run([
             check(!words.includes('gloss'), `undone: ${words}`)
         }
     }],
+    ['of many files the oldest are forgotten, also where the browser keeps none, and those in use stay', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            Object.defineProperty(globalThis, 'indexedDB', { get() { throw new DOMException('no storage', 'SecurityError') } })
+        })
+        await browser.go(start)
+        const drop = async (name, bytes) => {
+            command.put(name, bytes)
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.body.dataset.kept === name, name)
+        }
+        await drop('old.png', surfaces['grey8.png'].bytes)
+        const { width, height } = await browser.now()
+        for (let i = 0; i < 33; i++)
+            await drop(`gloss ${i}.png`, png({ width, height, type: 0, depth: 8, sample: x => 9 * x & 255 }))
+        check((await shownIsDrawn()).includes('--height=old.png'), 'the height map that is in use')
+        const said = []
+        for (const i of [0, 32])
+            said.push((await browser.draw([`height=old.png&gloss=gloss%20${i}.png`]))[0].refusal)
+        equal(said.join('; '), 'gloss 0.png: this map is not here; drop or choose the file; ', 'what it says')
+        await shownIsDrawn()
+        await page.evaluate(() => document.getElementById('stop').click()) // another worker has them, too
+        await browser.set('control-n', '9')
+        await shownIsDrawn()
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+    }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

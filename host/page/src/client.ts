@@ -41,8 +41,14 @@ export async function give(name: string, method: 'map' | 'mesh', bytes: Uint8Arr
     return told
 }
 
+/** Neither this worker nor those after it have it from now on. */
+export function forget(name: string): void {
+    if (files.delete(name))
+        void ask('forget', name).catch(() => undefined)
+}
+
 /** What nobody waits for. */
-const aside: readonly string[] = ['aside', 'box', 'curve', 'compare', 'moving', 'refusals'] satisfies (keyof Methods)[]
+const aside: readonly string[] = ['forget', 'aside', 'box', 'curve', 'compare', 'moving', 'refusals'] satisfies (keyof Methods)[]
 /** How many milliseconds the oldest question waits, of those that somebody waits for; 0: none does. */
 export function waits(): number {
     const first = [...waiting.values()].find(({ method }) => !aside.includes(method))
