@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
 import { asked, browser, command, fragment, frames, isFirefox, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
+import { surfaces } from './maps.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const measured = readFileSync(new URL('../bench/costs.tsv', import.meta.url), 'utf8').split('\n')
@@ -329,6 +330,25 @@ run([
         check((await browser.text('refusal')).startsWith('--scene: unknown scene'), await browser.text('refusal'))
         await press('Dial')
         equal((await shownIsDrawn()).join(' '), '--scene=dial --size=240x240 -n7', 'a surface chosen then')
+    }],
+    ['a file that is stopped is said to be, and the explanation that is stopped is drawn when it is opened again', async () => {
+        const hold = () => page.evaluate(() => globalThis.workers.forEach(worker => { worker.isHeld = true }))
+        const stop = () => page.evaluate(() => document.getElementById('stop').click())
+        await browser.go(start)
+        const before = (await shownIsDrawn()).join(' ')
+        await hold()
+        await browser.drop({ 'slow.png': surfaces['grey8.png'].bytes })
+        await browser.until(() => !document.getElementById('busy').hidden)
+        await stop()
+        await browser.until(() => document.getElementById('refusal').textContent === 'slow.png: stopped before it was drawn; drop or choose it again')
+        equal((await shownIsDrawn()).join(' '), before, 'the state')
+        await hold()
+        await page.click('#show-how')
+        await stop()
+        await page.click('#close-how')
+        await page.click('#show-how')
+        await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
+        await page.click('#close-how')
     }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)

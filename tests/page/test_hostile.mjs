@@ -179,6 +179,8 @@ run([
         const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra: [['PLTE', [1, 2, 3]]] })), '--height=')
         check(said.startsWith('a.png: damaged PNG'), said)
     }],
+    ['a picture whose lines have a filter that PNG has not is damaged, in words', () =>
+        equal(drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 200, filter: 9 })), '--height='), 'a.png: damaged PNG: Unsupported filter; save it again', 'what it says')],
     ['after all that it draws what it drew before', () => {
         engine.addWhite(white, 8, 8)
         const words = ['--scene=coin', '--size=30x20'], before = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`))).draw(words)

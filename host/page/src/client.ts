@@ -5,6 +5,7 @@ import type { Methods } from './worker'
 
 type Reply = { id: number, result?: unknown, error?: string }
 type Call = { method: string, resolve: (value: never) => void, reject: (error: Error) => void, since: number }
+export const stopped = 'stopped'
 export class Stopped extends Error {}
 
 const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }))
@@ -67,5 +68,5 @@ export function stop(): void {
     worker = begin()
     for (const [name, { method, bytes }] of files)
         worker.postMessage({ id: 0, method, args: [name, bytes] })
-    calls.forEach(({ reject }) => reject(new Stopped('stopped')))
+    calls.forEach(({ reject }) => reject(new Stopped(stopped)))
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The user's files: PNG maps, or a mesh, that are chosen or dropped.
+import { stopped } from './client'
 import { disable } from './controls'
 import { byId, make } from './dom'
 import { checkTexture, isGltf } from './gltf'
@@ -43,6 +44,8 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
     } catch (error) {
         refusal = (error as Error).message
     }
+    if (refusal === stopped)
+        refusal = `${name}: stopped before it was drawn; drop or choose it again`
     if (!refusal) {
         await keepFile(name)
         document.body.dataset.kept = name
