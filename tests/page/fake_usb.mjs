@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
 // globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are; what it is sent takes board.delay ms, and board.rounds
-// counts what the page gives lights by: its pauses of 33 ms. A real board, or the firmware, is in tests/pico.
+// counts what the page gives lights by: its pauses of 33 ms. While board.waits is a list, bulk transfers wait for the status that what they put there is called with, and nothing else comes of them. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, waits: null, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
     const { setTimeout: plain } = globalThis
     globalThis.setTimeout = (then, ms, ...rest) => {
         board.rounds += ms === 33
@@ -60,6 +60,8 @@ export function fakeUsb(width, height) {
             return answer('ok')
         },
         async transferOut(endpoint, data) {
+            if (board.waits)
+                return answer(await new Promise(resolve => board.waits.push(resolve)))
             board.isPlugged || gone()
             if (board.stalls)
                 return answer('stall')

@@ -5,6 +5,7 @@ import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
 import { asked, browser, command, fragment, frames, isFirefox, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
+import { surfaces } from './maps.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const measured = readFileSync(new URL('../bench/costs.tsv', import.meta.url), 'utf8').split('\n')
@@ -206,6 +207,12 @@ run([
         await page.keyboard.press('ArrowRight')
         await browser.until(() => document.getElementById('refusal').hidden)
         equal((await shownIsDrawn()).join(' '), '--scene=coin --light=0.04,0,0.999', 'the light that was moved')
+        for (const [light, key, word] of [['light=a,b', 'PageUp', '--light=0,0,0.05'], ['light=.3', 'PageUp', '--light=.3,0,0.05'], ['light=1e999,.2,1e999', 'ArrowUp', '--light=0,0.98'], ['point=9,9,x,200', 'PageUp', '--point=9,9,4,200']]) {
+            await browser.go(`scene=coin&${light}`)
+            await page.focus('#handle-1')
+            await page.keyboard.press(key)
+            check((await shownIsDrawn()).join(' ').includes(word), `${light}, then ${key}: ${await browser.text('command')}`)
+        }
     }],
     ['what the command would refuse cannot be chosen, and says why', async () => {
         const random = randomly(77)
@@ -301,6 +308,47 @@ run([
         await browser.until(() => document.getElementById('busy').hidden)
         await browser.set('control-n', '9')
         check((await shownIsDrawn()).includes('-n9'), 'nothing is drawn after that')
+    }],
+    ['an address that is refused, and why, stay when the picture in its place is stopped', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            globalThis.Worker = class extends Worker {
+                set onmessage(then) {
+                    super.onmessage = event => {
+                        then(event)
+                        this.isHeld ||= event.data.error !== undefined && globalThis.workers[0] === this
+                    }
+                }
+            }
+        })
+        await page.goto('about:blank')
+        await page.goto(`${browser.url}#scene=coins&n=7`)
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+        await browser.until(() => document.getElementById('refusal')?.hidden === false && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        await browser.until(() => document.body.dataset.drawn !== undefined && document.body.dataset.drawn === document.body.dataset.state)
+        equal(await page.evaluate(() => document.body.dataset.state), 'scene=coins&n=7', 'the state')
+        check((await browser.text('refusal')).startsWith('--scene: unknown scene'), await browser.text('refusal'))
+        await press('Dial')
+        equal((await shownIsDrawn()).join(' '), '--scene=dial --size=240x240 -n7', 'a surface chosen then')
+    }],
+    ['a file that is stopped is said to be, and the explanation that is stopped is drawn when it is opened again', async () => {
+        const hold = () => page.evaluate(() => globalThis.workers.forEach(worker => { worker.isHeld = true }))
+        const stop = () => page.evaluate(() => document.getElementById('stop').click())
+        await browser.go(start)
+        const before = (await shownIsDrawn()).join(' ')
+        await hold()
+        await browser.drop({ 'slow.png': surfaces['grey8.png'].bytes })
+        await browser.until(() => !document.getElementById('busy').hidden)
+        await stop()
+        await browser.until(() => document.getElementById('refusal').textContent === 'slow.png: stopped before it was drawn; drop or choose it again')
+        equal((await shownIsDrawn()).join(' '), before, 'the state')
+        await hold()
+        await page.click('#show-how')
+        await stop()
+        await page.click('#close-how')
+        await page.click('#show-how')
+        await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
+        await page.click('#close-how')
     }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)

@@ -182,6 +182,27 @@ run([
         await says('16 bytes a frame')
         await follows()
     }],
+    ['a board that is connected again while it is still being sent a light gets its map and material, and keeps its connection', async () => {
+        for (const status of ['ok', 'stall']) {
+            await board({ waits: [] })
+            await page.focus('#handle-1')
+            await page.keyboard.press('ArrowUp')
+            await browser.until(() => globalThis.board.waits.length)
+            const old = await page.evaluateHandle(() => {
+                const { waits } = globalThis.board
+                globalThis.board.plug(false)
+                Object.assign(globalThis.board, { waits: null, lights: [], map: [], material: [] })
+                return waits
+            })
+            await says(sentences.unplugged)
+            await page.evaluate(() => globalThis.board.plug(true))
+            await browser.until(() => document.getElementById('connect').textContent === 'Disconnect' && !document.getElementById('connect').disabled)
+            await old.evaluate((waits, status) => waits[0](status), status)
+            await browser.until(() => globalThis.board.lights.length)
+            await page.keyboard.press('ArrowDown')
+            await follows()
+        }
+    }],
     ['the light comes from the board\'s accelerometer, and the board\'s from the device\'s tilt; one motion at a time', async () => {
         const note = text => browser.until(text => document.getElementById('motion-note').textContent === text, text)
             .catch(async () => { throw new Error(`it says ${await browser.text('motion-note')}, not ${text}`) })

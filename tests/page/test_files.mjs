@@ -248,5 +248,69 @@ run([
         const words = (await shownIsDrawn()).join(' ')
         check(/^--height=hills\.png --mask=mask\.png --gloss=gloss\.png/.test(words), words)
     }],
+    ['a drop is taken while the light moves; one that is refused leaves a mesh, its pose and its steps to undo as they were', async () => {
+        const hills = surfaces['grey8.png'].bytes, name = 'ring.stl'
+        command.put(name, meshes[name])
+        command.put('moving.png', hills)
+        await browser.go(start)
+        await page.click('#orbit')
+        await browser.drop({ 'moving.png': hills })
+        await browser.until(() => document.body.dataset.kept === 'moving.png')
+        await page.click('#orbit')
+        check((await shownIsDrawn()).includes('--height=moving.png'), 'a height map')
+        await browser.drop({ [name]: meshes[name] })
+        await browser.until(name => document.body.dataset.kept === name, name)
+        await shownIsDrawn()
+        await page.click('#orbit')
+        await page.click('#turn')
+        for (const [i, bytes] of [Buffer.from('no'), extras['albedo.png']].entries()) { // before it is tried, and by the worker
+            const bad = `gloss ${i}.png`
+            await page.evaluate(() => { // the mesh is turned while the file is read
+                const { arrayBuffer } = Blob.prototype
+                Blob.prototype.arrayBuffer = async function () {
+                    Blob.prototype.arrayBuffer = arrayBuffer
+                    document.getElementById('handle-1').dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true }))
+                    await new Promise(requestAnimationFrame)
+                    await new Promise(requestAnimationFrame)
+                    return arrayBuffer.call(this)
+                }
+            })
+            await browser.drop({ [bad]: bytes })
+            await browser.until(said => document.getElementById('refusal').textContent.startsWith(said), i ? '--gloss' : bad)
+            await browser.until(i => document.body.dataset.state.includes(`turn=25,${5 * i - 30},0`), i)
+        }
+        await page.click('#orbit')
+        await shownIsDrawn()
+        for (let i = 0; i < 8; i++) {
+            await press('Undo')
+            const words = (await shownIsDrawn()).join(' ')
+            check(!words.includes('gloss'), `undone: ${words}`)
+        }
+    }],
+    ['of many files the oldest are forgotten, also where the browser keeps none, and those in use stay', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            Object.defineProperty(globalThis, 'indexedDB', { get() { throw new DOMException('no storage', 'SecurityError') } })
+        })
+        await browser.go(start)
+        const drop = async (name, bytes) => {
+            command.put(name, bytes)
+            await browser.drop({ [name]: bytes })
+            await browser.until(name => document.body.dataset.kept === name, name)
+        }
+        await drop('old.png', surfaces['grey8.png'].bytes)
+        const { width, height } = await browser.now()
+        for (let i = 0; i < 33; i++)
+            await drop(`gloss ${i}.png`, png({ width, height, type: 0, depth: 8, sample: x => 9 * x & 255 }))
+        check((await shownIsDrawn()).includes('--height=old.png'), 'the height map that is in use')
+        const said = []
+        for (const i of [0, 32])
+            said.push((await browser.draw([`height=old.png&gloss=gloss%20${i}.png`]))[0].refusal)
+        equal(said.join('; '), 'gloss 0.png: this map is not here; drop or choose the file; ', 'what it says')
+        await shownIsDrawn()
+        await page.evaluate(() => document.getElementById('stop').click()) // another worker has them, too
+        await browser.set('control-n', '9')
+        await shownIsDrawn()
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+    }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

@@ -3,7 +3,7 @@
 // browser. SEED (1), DEVICES (400), FILES (300).
 import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
-import { png } from './maps.mjs'
+import { crc, png } from './maps.mjs'
 import { ball, gltf, meshes } from './meshes.mjs'
 import { randomly } from './states.mjs'
 
@@ -32,7 +32,7 @@ function answer(odd, good) {
 
 function hostile() {
     const odd = pick([6, 8, 20, 100, 1000]) // of 6 all are
-    const settle = odd => below(odd) ? Promise.resolve() : Promise.reject(new DOMException('Unable.', 'InvalidStateError'))
+    const settle = odd => below(odd) ? Promise.resolve() : below(2) ? new Promise(() => undefined) : Promise.reject(new DOMException('Unable.', 'InvalidStateError'))
     const endpoint = () => ({ endpointNumber: below(16), direction: pick(['out', 'out', 'in']), type: pick(['bulk', 'bulk', 'interrupt']) })
     const alternate = () => ({ interfaceClass: pick([255, 255, 255, 3, 0]), endpoints: Array.from({ length: below(4) }, endpoint) })
     const good = { interfaces: [{ interfaceNumber: 1, alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: 2, direction: 'out', type: 'bulk' }] }] }] }
@@ -178,6 +178,12 @@ run([
     ['a picture whose palette is too short is damaged', () => {
         const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra: [['PLTE', [1, 2, 3]]] })), '--height=')
         check(said.startsWith('a.png: damaged PNG'), said)
+    }],
+    ['a picture that has fewer lines than it says is damaged, in words', () => {
+        const short = png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 200 })
+        short[23] = 9
+        short.writeUInt32BE(crc(short.subarray(12, 29)), 29)
+        equal(drawn('a.png', Uint8Array.from(short), '--height='), 'a.png: damaged PNG: Unsupported filter; save it again', 'what it says')
     }],
     ['after all that it draws what it drew before', () => {
         engine.addWhite(white, 8, 8)

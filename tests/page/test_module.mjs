@@ -191,6 +191,29 @@ run([
         refusal(() => engine.moving([other, ['--scene=coin', '-n1001']]))
         check(engine.device(60, 44, has), 'the board gets nothing after a refusal')
     }],
+    ['a file that is forgotten is gone, with what came with it, and the last picture stays', () => {
+        const engine = engineWithMaps(), words = ['--scene=dial', '--size=40x40'], texts = Object.entries(clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: x => 30 * x })))
+        engine.addMesh('clothed.obj', together(texts.map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) }))))
+        engine.draw(['--mesh=clothed.obj', '--size=20x20'])
+        engine.draw(words)
+        const pixels = Buffer.from(engine.pixels())
+        for (const name of ['grey8.png', 'clothed.obj'])
+            engine.forget(name)
+        check(pixels.equals(engine.pixels()), 'another picture')
+        check(refusal(() => engine.draw(['--height=grey8.png'])).startsWith('grey8.png: this map is not here'), 'the map is there')
+        check(refusal(() => engine.draw(['--mesh=clothed.obj'])).startsWith('clothed.obj: '), 'the mesh is there')
+        same(engine, ['--height=grey16.png', '--size=40x30'])
+        same(engine, words)
+    }],
+    ['a file for which there is no memory is refused by its name, and every other one stays', () => {
+        const engine = engineWithMaps(), none = { buffer: new ArrayBuffer(8), byteOffset: 0, byteLength: 2 ** 40, length: 2 ** 40 }
+        same(engine, ['--height=grey8.png'])
+        for (const name of ['huge.png', 'grey8.png'])
+            check(refusal(() => engine.addMap(name, { width: 4, height: 4, channels: 1, bits: 8, palette: false, samples: none })).startsWith(`${name}: there is no room for this file`), name)
+        for (const words of [['--height=grey8.png'], ['--height=grey16.png', '--size=40x30'], ['--scene=coin', '--size=40x40']])
+            same(engine, words)
+        check(refusal(() => engine.draw(['--height=huge.png'])).startsWith('huge.png: this map is not here'), 'it is there')
+    }],
     ['meshes of binary STL files are drawn and baked as the command does, by every path that draws meshes', () => {
         const engine = new Engine(program)
         for (const [name, bytes] of Object.entries(meshes)) {

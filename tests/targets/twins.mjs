@@ -39,7 +39,7 @@ function room(machine) {
   return frame >= end && frame < end + 16 ? frame + machine.size('frame_memory') : end
 }
 
-// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to, or a function of them. change: of the memory, what is other in each
+// before: calls that have to return 0, or functions of a program and where the memory lies in it. unread: parts that need not be alike, from and to, or a function that lists some. change: of the memory, what is other in each
 // program.
 function after(machine, name, args, bytes, fault, { before = [], unread = [], change = () => {} } = {}) {
   if (AT + bytes.length > room(machine)) throw new Error('mesh_memory is too small')
@@ -53,10 +53,7 @@ function after(machine, name, args, bytes, fault, { before = [], unread = [], ch
   }
   const value = run(machine, name, args)
   if (fault >= 0) machine.memory[at + fault] ^= 0x11
-  for (const part of unread) {
-    const [from, to] = typeof part === 'function' ? part(machine, at) : part
-    machine.memory.fill(0, at + from, at + to)
-  }
+  for (const [from, to] of unread.flatMap((part) => typeof part === 'function' ? part(machine, at) : [part])) machine.memory.fill(0, at + from, at + to)
   return `${RETURNS.test(name) ? value & 1 : ''} ${machine.memory.toString('latin1', at, at + bytes.length)}`
 }
 
@@ -194,6 +191,14 @@ const PAINTS_OF = new Map([c, assembly].map((machine) => [machine, paints(machin
 // go on. Lines of pixels that are not aligned are drawn, too.
 const POSE = 0x140, TO_LIGHT = 0x150, TO_VIEWER = 0x160, LIGHT = 0x170, LIGHT_END = 0x1b0, PARTS = 0x1b0, SURFACES = 0x1100, PICTURE = 0x1400
 const NEIGHBOURS = 0x2c00, MESH_MEMORY = 0x3000, FRAME_MEMORY = 0x4000, POLYGON = FIELD.BENCH_FACE - 3 * 16 /* with padding */, PAINTS = 0x6000
+// Of places for triangles that go on those that are free, but for the next free one; and of the others an upper edge that has ended.
+function ended(machine, at) {
+  const { memory } = machine, word = (place) => memory.readUInt16LE(at + place), first = memory.readUInt32LE(at + FIELD.FRAME_KEPT) - AT
+  const size = word(FIELD.FRAME_KEPT_BYTES), places = Array.from({ length: word(FIELD.FRAME_KEPT_BYTES - 2) }, (_, i) => first + size * i), kept = new Set()
+  for (let i = word(DRAWN + FIELD.DRAWN_KEPT); i !== 65535; i = word(places[i] + FIELD.KEPT_FACE + 2)) kept.add(places[i])
+  return places.map((place) => !kept.has(place) ? [place, place + FIELD.KEPT_FACE + 2]
+    : word(place + FIELD.TRIANGLE_Y) >= word(place + FIELD.TRIANGLE_Y_MIDDLE) ? [place + FIELD.TRIANGLE_LONG + 8, place + FIELD.TRIANGLE_LONG + 12] : [place, place])
+}
 function strips(outlined) {
   const w = outlined ? 40 - below(8) : 1 + below(40), h = 1 + below(64), odd = !below(10), lines = one(16, 16, 1 + below(20)), vertices = 3 + below(30)
   const faces = outlined ? 64 - below(one(60, 10)) : 1 + below(64)
@@ -221,16 +226,16 @@ function strips(outlined) {
     ...painted.map((_, k) => ['glint_paint_light_by', [AT + PAINTS + PAINT_SIZE * k, AT + LIGHT, 1, AT + TO_VIEWER, 0]]),
     ['glint_mesh_begin', [AT, w, h, lines, one(0, 0, 2000 + below(8000)), AT + FRAME_MEMORY, 4 * below(400) + 2 * w * lines + 1100]],
     ['glint_mesh_add', [AT, AT + DRAWN, AT + MESH, AT + POSE, AT + PAINTS, AT + MESH_MEMORY, 0x1000]]]
-  for (let y = below(4) ? 0 : below(h), count = 0; y < h; count++) {
+  const end = one(h, 1 + below(h)) // triangles go on
+  for (let y = below(4) ? 0 : below(end), count = 0; y < end; count++) {
     const height = Math.min(h - y, one(lines, lines, 1 + below(lines))), surface = SURFACES + 12 * count
     calls.push(['glint_mesh_strip', [AT, y, height, AT + surface]])
     word(surface, AT + PICTURE + stride * y + odd, stride)
     y += height
   }
-  // Triangles that have ended, too: in the bench, and in their places.
+  // A triangle that has ended, too.
   const unread = [[LIGHT, LIGHT_END], [PAINTS, PAINTS + 2 * PAINT_SIZE], [FRAME_MEMORY, FRAME_MEMORY + POLYGON],
-    [FRAME_MEMORY + FIELD.BENCH_FACE, FRAME_MEMORY + FIELD.BENCH_FACE + FIELD.KEPT_FACE],
-    (machine, at) => [machine.memory.readUInt32LE(at + FIELD.FRAME_KEPT) - AT, PAINTS]]
+    [FRAME_MEMORY + FIELD.BENCH_FACE, FRAME_MEMORY + FIELD.BENCH_FACE + FIELD.KEPT_FACE], ended]
   if (outlined) {
     // In the picture's middle, and as large as it.
     for (let k = 0; k < 3 * vertices; k++) bytes.writeInt16LE(bits(16), PLACES + 2 * k)

@@ -5,6 +5,7 @@ import type { Methods } from './worker'
 
 type Reply = { id: number, result?: unknown, error?: string }
 type Call = { method: string, resolve: (value: never) => void, reject: (error: Error) => void, since: number }
+export const stopped = 'stopped'
 export class Stopped extends Error {}
 
 const url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }))
@@ -41,8 +42,14 @@ export async function give(name: string, method: 'map' | 'mesh', bytes: Uint8Arr
     return told
 }
 
+/** Neither this worker nor those after it have it from now on. */
+export function forget(name: string): void {
+    if (files.delete(name))
+        void ask('forget', name).catch(() => undefined)
+}
+
 /** What nobody waits for. */
-const aside: readonly string[] = ['aside', 'box', 'curve', 'compare', 'moving', 'refusals'] satisfies (keyof Methods)[]
+const aside: readonly string[] = ['forget', 'aside', 'box', 'curve', 'compare', 'moving', 'refusals'] satisfies (keyof Methods)[]
 /** How many milliseconds the oldest question waits, of those that somebody waits for; 0: none does. */
 export function waits(): number {
     const first = [...waiting.values()].find(({ method }) => !aside.includes(method))
@@ -61,5 +68,5 @@ export function stop(): void {
     worker = begin()
     for (const [name, { method, bytes }] of files)
         worker.postMessage({ id: 0, method, args: [name, bytes] })
-    calls.forEach(({ reject }) => reject(new Stopped('stopped')))
+    calls.forEach(({ reject }) => reject(new Stopped(stopped)))
 }

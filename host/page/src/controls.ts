@@ -361,7 +361,7 @@ const updates = table.map(row => {
     const work = (state: State, facts: Facts | undefined) => {
         whole.hidden = row.only !== undefined && !row.only(state, facts)
         update(state, facts)
-        if (!facts)
+        if (!facts || whole.hidden)
             return
         number.value = row.number(state, facts)
         meaning.textContent = row.meaning(state, facts)

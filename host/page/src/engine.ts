@@ -73,9 +73,10 @@ export class Engine {
     }
 
     addMap(name: string, map: Map16): void {
-        this.maps.set(name, map)
-        this.surface = this.material = ''
-        this.guard(() => this.hand(name, map))
+        this.add(name, () => {
+            this.maps.set(name, map)
+            this.hand(name, map)
+        })
     }
 
     /** A file of a mesh. */
@@ -83,21 +84,44 @@ export class Engine {
         const [mesh, ...named] = isObj(name) ? apart(name, bytes) : [{ name, bytes }]
         const maps = named.filter(({ name }) => isPng(name)).map(({ name: of, bytes }): [string, Map16] => (checkTexture(of, bytes), [`${name}/${of}`, readPng(of, bytes)]))
         const held = isGltf(name) ? readGltf(name, bytes) : mesh.bytes
-        this.forgetNamedBy(name)
-        this.meshes.set(name, held)
-        for (const { name: of, bytes } of named.filter(({ name }) => !isPng(name)))
-            this.meshes.set(`${name}/${of}`, bytes)
-        maps.forEach(([of, map]) => this.maps.set(of, map))
-        this.surface = this.material = ''
-        this.guard(() => named.length ? this.begin() : this.handMesh(name, held))
+        this.add(name, () => {
+            const had = this.drop(name, false)
+            this.meshes.set(name, held)
+            for (const { name: of, bytes } of named.filter(({ name }) => !isPng(name)))
+                this.meshes.set(`${name}/${of}`, bytes)
+            maps.forEach(([of, map]) => this.maps.set(of, map))
+            if (had || named.length)
+                this.begin()
+            else
+                this.handMesh(name, held)
+        })
     }
 
-    /** What came with the last mesh of this name. */
-    private forgetNamedBy(name: string): void {
-        const gone = [...this.meshes.keys(), ...this.maps.keys()].filter(key => key.startsWith(`${name}/`))
-        gone.forEach(key => this.meshes.delete(key) || this.maps.delete(key))
-        if (gone.length)
-            this.begin()
+    /** As if it had never been added. */
+    forget(name: string): void {
+        if (this.drop(name, true))
+            this.restore()
+    }
+
+    /** What came with a mesh of this name, or all of that name. */
+    private drop(name: string, all: boolean): boolean {
+        const gone = [...this.meshes.keys(), ...this.maps.keys()].filter(key => key.startsWith(`${name}/`) || all && key === name)
+        gone.forEach(key => [this.meshes, this.maps].forEach(files => files.delete(key)))
+        return gone.length > 0
+    }
+
+    /** Where that fails, for want of memory, all files are as they were. */
+    private add(name: string, work: () => void): void {
+        const maps = new Map(this.maps), meshes = new Map(this.meshes)
+        this.surface = this.material = ''
+        try {
+            work()
+        } catch (error) {
+            this.maps = maps
+            this.meshes = meshes
+            this.restore()
+            throw new Error(`${name}: there is no room for this file (${(error as Error).message}); choose a smaller one`)
+        }
     }
 
     /** A map without anything on it. */
@@ -278,7 +302,6 @@ export class Engine {
         module.call.page_image(at, map.width, map.height, map.channels, map.bits, map.palette ? 1 : 0, samples)
     }
 
-    /** A program that ended is replaced by a fresh one that knows the maps and the last good picture. */
     /** Another instance, which has all files. */
     private begin(): void {
         this.module = new Module(this.program)
@@ -289,18 +312,24 @@ export class Engine {
             this.handMesh(name, bytes)
     }
 
+    /** Another instance, which has all files and the last good picture. */
+    private restore(): void {
+        this.begin()
+        try {
+            if (this.drawn.length)
+                this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
+        } catch { // a file of the last picture has been replaced by one that cannot be drawn
+            this.drawn = []
+            this.begin()
+        }
+    }
+
+    /** A program that ended is replaced by a fresh one. */
     private guard<T>(work: () => T): T {
         try {
             return work()
         } catch (error) {
-            this.begin()
-            try {
-                if (this.drawn.length)
-                    this.give(['glint render', ...this.drawn], (at, bytes) => this.module.call.page_draw(at, bytes, keepNothing))
-            } catch { // a file of the last picture has been replaced by one that cannot be drawn
-                this.drawn = []
-                this.begin()
-            }
+            this.restore()
             if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError)
                 throw new Error(`the page failed (${error.message}); a smaller --size may help`)
             throw error

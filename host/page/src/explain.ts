@@ -20,12 +20,15 @@ byId('show-how').onclick = async () => {
     const n = lastDrawn()?.facts.n[0] ?? 60
     if (n === drawnN)
         return
-    drawnN = n
+    drawnN = 0
     for (const { model, title, canvas, caption } of places) {
-        const { width, height, rgba } = await ask('aside', ['--scene=sphere', `--size=${side}x${side}`, `--model=${model}`, `-n${n}`, '--light=-1,1,1.5'])
-        show(canvas, width, height, rgba)
+        const picture = await ask('aside', ['--scene=sphere', `--size=${side}x${side}`, `--model=${model}`, `-n${n}`, '--light=-1,1,1.5']).catch(() => undefined)
+        if (!picture) // stopped
+            return
+        show(canvas, picture.width, picture.height, picture.rgba)
         caption.textContent = `${title}, n = ${n}`
     }
+    drawnN = n
 }
 byId('close-how').onclick = () => how.close()
 

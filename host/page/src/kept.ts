@@ -1,32 +1,46 @@
 // SPDX-License-Identifier: MIT
 // The user's files, kept in the browser over a reload: IndexedDB, which pages from a file have, too.
-import { give } from './client'
+import { forget, give } from './client'
 import { fileOf, isSurface, kinds } from './words'
 import type { Kind, State } from './words'
 
 interface Kept { name: string, bytes: Uint8Array<ArrayBuffer>, time: number }
 const keepsAtMost = 32
-/** What the worker has. */
-const here = new Map<string, Uint8Array<ArrayBuffer>>()
+/** What the worker has, the newest last, and the bytes that it takes there, at least smallBytes. */
+const here = new Map<string, { bytes: Uint8Array<ArrayBuffer>, takes: number }>()
+const smallBytes = 1 << 23, takesAtMost = keepsAtMost * smallBytes
 let version = 0
 
 /** Another one where a file may have another content under its name. */
 export const filesVersion = () => version
 export const isHere = (name: string) => here.has(name)
-export const bytesOf = (name: string) => here.get(name)
+export const bytesOf = (name: string) => here.get(name)?.bytes
 export const methodOf = (kind: Kind) => kind === 'mesh' ? 'mesh' : 'map'
 
 /** Is it a logo? Throws where the file is refused; what had its name then stays. */
 export async function putFile(name: string, kind: Kind, bytes: Uint8Array<ArrayBuffer>): Promise<boolean> {
     const told = await give(name, methodOf(kind), bytes)
-    here.set(name, bytes)
+    here.delete(name)
+    here.set(name, { bytes, takes: Math.max(smallBytes, told ? 2 * told.width * told.height * told.channels : bytes.length) })
     version++
     return told?.isLogo ?? false
 }
 
 export function forgetFile(name: string): void {
     here.delete(name)
+    forget(name)
     version++
+}
+
+/** Where they take too much, the oldest go that the state does not name; undo finds those that the browser keeps. */
+function forgetOld(state: State): void {
+    const named = kinds.map(kind => fileOf(state, kind))
+    let sum = 0
+    for (const [name, { takes }] of [...here].reverse())
+        if ((sum += takes) > takesAtMost && !named.includes(name)) {
+            sum -= takes
+            forgetFile(name)
+        }
 }
 
 function finished<T>(request: IDBRequest<T>): Promise<T> {
@@ -48,7 +62,7 @@ function open(): Promise<IDBDatabase> {
 
 /** Where a browser keeps nothing (a private window), a file lasts as long as the page. */
 export async function keepFile(name: string): Promise<void> {
-    const bytes = here.get(name)
+    const bytes = bytesOf(name)
     try {
         const store = (await open()).transaction('files', 'readwrite').objectStore('files')
         await finished(store.put({ name, bytes, time: Date.now() }))
@@ -78,5 +92,6 @@ export async function missingOf(state: State): Promise<Kind[]> {
         if (!isGiven)
             missing.push(kind)
     }
+    forgetOld(state)
     return missing.sort((a, b) => Number(isSurface(b)) - Number(isSurface(a)))
 }

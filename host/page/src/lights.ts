@@ -29,7 +29,7 @@ function withLight(i: number, light?: Light): Light[] {
 }
 const put = (i: number, light?: Light, kind = '') => change({ lights: withLight(i, light) }, kind)
 
-const toHex = (values: number[]) => '#' + values.map(v => Math.round(255 * Math.min(1, v)).toString(16).padStart(2, '0')).join('')
+const toHex = (values: number[]) => '#' + values.map(v => Math.round(255 * Math.max(0, Math.min(1, v || 0))).toString(16).padStart(2, '0')).join('')
 const ofHex = (hex: string) => [1, 3, 5].map(at => short(parseInt(hex.slice(at, at + 2), 16) / 255))
 
 /** The rows stay while lights keep their kinds, so that focus stays, too. */

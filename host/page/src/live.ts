@@ -135,7 +135,9 @@ button.onclick = async () => {
     }
     const was = pico
     forget()
+    button.disabled = true // to close it would close what is connected meanwhile
     await was.close()
+    button.disabled = false
     say('Disconnected. The device shows its own demo again.')
 }
 
@@ -214,7 +216,7 @@ own.onclick = async () => {
         if (begins) {
             setView()
             own.setAttribute('aria-pressed', 'true')
-            while (isBusy) // the picture that is on its way
+            while (following === to) // the picture that is on its way
                 await new Promise(resolve => setTimeout(resolve, 10))
         }
         gives = begins
@@ -243,30 +245,33 @@ own.onclick = async () => {
 
 // ---- following ----
 
-let isBusy = false, again = false
+/** What is being sent to; one that is gone may still wait for its answer. */
+let following: Pico | undefined, again = false
 /** While the device draws, changes wait, and only the last counts. */
 async function follow(): Promise<void> {
+    const to = pico
     again = true
-    if (isBusy)
+    if (!to || following === to)
         return
-    isBusy = true
-    while (again && pico && !isOwn()) {
+    following = to
+    while (again && pico === to && !isOwn()) {
         again = false
-        await send(pico).catch(error => {
-            if (!pico)
+        await send(to).catch(error => {
+            if (pico !== to)
                 return
             if (error instanceof Trouble)
                 lose(error)
             else
-                say(`${pico.name} keeps its picture: ${error.message}`)
+                say(`${to.name} keeps its picture: ${error.message}`)
         })
     }
-    isBusy = false
+    if (following === to)
+        following = undefined
 }
 
 async function send(to: Pico): Promise<void> {
     const scene = await ask('device', to.width, to.height, has)
-    if (!scene) // drawn before it was connected
+    if (!scene || pico !== to) // drawn before it was connected
         return
     if (scene.map)
         await to.sendMap(scene.map)
@@ -274,11 +279,15 @@ async function send(to: Pico): Promise<void> {
         await to.sendMaterial(scene.material)
     if (scene.mesh)
         await to.useMesh()
+    if (pico !== to)
+        return
     has = scene.has
     if (scene.light)
         await to.sendLight(scene.light)
     if (scene.pose)
         await to.sendPose(scene.pose)
+    if (pico !== to)
+        return
     frames.push(performance.now())
     tell(to, scene)
 }

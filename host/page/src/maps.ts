@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The user's files: PNG maps, or a mesh, that are chosen or dropped.
+import { stopped } from './client'
 import { disable } from './controls'
 import { byId, make } from './dom'
 import { checkTexture, isGltf } from './gltf'
@@ -15,8 +16,8 @@ import type { Kind, State } from './words'
 /** A file that is refused leaves all as it was: address, rows and picture, and what had its name. Why it is refused, or ''. */
 async function take(file: File, kind: Kind, named: File[] = []): Promise<string> {
     const name = file.name.replace(/[/\\]/g, '_') // in the command line it must not look like a path
-    const before = current(), had = bytesOf(name)
-    let refusal = ''
+    const had = bytesOf(name)
+    let before = current(), tried: Partial<State> | undefined, refusal = ''
     try {
         if (/\.mtl$/i.test(name))
             throw new Error(`${name}: these are materials; drop or choose them together with their OBJ`)
@@ -28,6 +29,7 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
         if (kind === 'texture')
             checkTexture(name, bytes)
         const isLogo = await putFile(name, kind, bytes)
+        before = current() // what moves has moved meanwhile
         if (before[kind] === name) { // an address asked for it, or it is a newer one: what is set stays
             await redraw()
         } else {
@@ -36,12 +38,14 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
                 : kind === 'mesh' ? { ...noSurface, size, turn: '25,-35,0' } // not flat from the side
                     : kind === 'height' && isLogo ? { ...noSurface, size, bevel: '6', fit: '70', ...lookOfLogo(before) }
                         : { ...noSurface, size: undefined }
-            change({ ...surface, [kind]: name })
+            change(tried = { ...surface, [kind]: name })
         }
         refusal = await settled()
     } catch (error) {
         refusal = (error as Error).message
     }
+    if (refusal === stopped)
+        refusal = `${name}: stopped before it was drawn; drop or choose it again`
     if (!refusal) {
         await keepFile(name)
         document.body.dataset.kept = name
@@ -51,8 +55,8 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
         await putFile(name, kind, had).catch(() => undefined)
     else
         forgetFile(name)
-    if (current() !== before)
-        takeBack(before)
+    if (tried)
+        takeBack(before, tried)
     else if (before[kind] === name)
         void redraw()
     await settled()

@@ -77,7 +77,7 @@ async function saveAnimation(): Promise<string> {
     try {
         const bytes = await apng(frames, 4000 / frames, async k => {
             if (isStopped)
-                throw new Stopped('stopped')
+                throw new Stopped()
             status.textContent = `Frame ${k + 1} of ${frames}`
             const [x, y, z] = drawn.facts.turn ?? []
             return ask('aside', wordsOf(drawn.facts.turn ? { ...now, turn: [x, y + 360 * k / frames, z].map(v => Number((((v + 180) % 360 + 360) % 360 - 180).toFixed(1))).join() }

@@ -54,9 +54,9 @@ export class Pico {
     static async connect(usb: Usb, device: UsbDevice, sizeOf: (descriptor: Uint8Array) => number | Promise<number>, patience = usualPatience): Promise<Pico> {
         const it = new Pico(usb, device, patience)
         try {
-            await device.open().catch(() => { throw new Trouble(sentences.notOpened) })
+            await it.within(device.open()).catch(() => { throw new Trouble(sentences.notOpened) })
             if (!device.configuration)
-                await device.selectConfiguration(1)
+                await it.within(device.selectConfiguration(1))
             await it.findInterface(sizeOf)
             await it.enable()
             await it.findMesh()
@@ -153,8 +153,8 @@ export class Pico {
     }
 
     private async leave(): Promise<void> {
-        await this.device.releaseInterface(this.number).catch(() => undefined)
-        await this.device.close().catch(() => undefined)
+        await this.within(this.device.releaseInterface(this.number)).catch(() => undefined)
+        await this.within(this.device.close()).catch(() => undefined)
     }
 
     /** The vendor interface that answers. The display's may have a driver, and then cannot be claimed. */
@@ -162,7 +162,7 @@ export class Pico {
         let claimed = 0
         const fitting = this.device.configuration?.interfaces.filter(isVendors) ?? []
         for (const { interfaceNumber, alternates } of fitting.reverse()) { // the display comes first
-            if (!await this.device.claimInterface(interfaceNumber).then(() => true, () => false))
+            if (!await this.within(this.device.claimInterface(interfaceNumber)).then(() => true, () => false))
                 continue
             claimed++
             this.number = interfaceNumber
@@ -173,7 +173,7 @@ export class Pico {
             this.height = size & 0xffff
             if (this.width && this.height)
                 return
-            await this.device.releaseInterface(interfaceNumber)
+            await this.within(this.device.releaseInterface(interfaceNumber))
         }
         throw new Trouble(claimed < fitting.length && fitting.length > 1 ? sentences.held : sentences.noShader)
     }
@@ -215,7 +215,7 @@ export class Pico {
 
     private async bulk(bytes: Uint8Array<ArrayBuffer>): Promise<void> {
         if ((await this.within(this.device.transferOut(this.endpoint, bytes))).status !== 'ok') {
-            await this.device.clearHalt('out', this.endpoint).catch(() => undefined)
+            await this.within(this.device.clearHalt('out', this.endpoint)).catch(() => undefined)
             throw new Trouble(sentences.stalled)
         }
     }

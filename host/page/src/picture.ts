@@ -65,13 +65,15 @@ async function draw(now: State): Promise<void> {
             throw error
         })
         put({ ...picture, ...seen, asked: now, standsIn: missing.length > 0 })
-        say(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)
+        if (missing.length || told !== still(now))
+            print(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)
     } catch (error) {
         if (error instanceof Stopped)
             throw error
-        if (!drawn && now !== start) // there is no last good picture
-            put({ ...await ask('draw', wordsOf(start)), state: start, asked: start, standsIn: true })
-        say((error as Error).message, [])
+        print((error as Error).message)
+        const inPlace = !drawn && now !== start && await ask('draw', wordsOf(start)).catch(() => undefined) // there is no last good picture
+        if (inPlace)
+            put({ ...inPlace, state: start, asked: start, standsIn: true })
     }
 }
 
@@ -118,7 +120,16 @@ function isStopped(): void {
         reset()
 }
 
-export function say(refusal: string, warnings: string[] = []): void {
+/** Of what somebody said of the state: it stays while only light or mesh moves. */
+let told = ''
+const still = (state: State) => fragmentOf({ ...state, lights: [], turn: undefined })
+export function say(refusal: string): void {
+    print(refusal)
+    told = still(current())
+}
+
+function print(refusal: string, warnings: string[] = []): void {
+    told = ''
     byId('refusal').textContent = refusal
     byId('refusal').hidden = !refusal
     byId('warnings').replaceChildren(...warnings.map(text => Object.assign(document.createElement('li'), { textContent: text })))

@@ -53,7 +53,7 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
     try {
         png = decode(bytes, { checkCrc: true })
     } catch (error) {
-        return damaged((error as Error).message.replace(/\W+$/, ''))
+        return damaged((error as Error).message.replace(/(: undefined)?\W*$/, ''))
     }
     if (bytes[28] && png.depth < 8)
         throw new Error(`${name}: an interlaced PNG with ${png.depth} bits a sample; save it without interlacing`)

@@ -32,6 +32,13 @@ function writeFragment(): void {
     }, 350)
 }
 
+function cleared(next: State): State {
+    for (const name of Object.keys(next) as (keyof State)[])
+        if (next[name] === undefined)
+            delete next[name]
+    return next
+}
+
 export function change(patch: Partial<State>, kind = ''): void {
     const now = performance.now()
     if (!kind || kind !== lastKind || now - lastTime > 1000)
@@ -40,11 +47,7 @@ export function change(patch: Partial<State>, kind = ''): void {
     undone = []
     lastKind = kind
     lastTime = now
-    const next = { ...state, ...patch }
-    for (const name of Object.keys(next) as (keyof State)[])
-        if (next[name] === undefined)
-            delete next[name]
-    state = next
+    state = cleared({ ...state, ...patch })
     writeFragment()
     tell()
 }
@@ -60,11 +63,14 @@ function step(from: State[], to: State[]): void {
     tell()
 }
 
-/** What was tried and refused: as it was before, and nothing to undo. */
-export function takeBack(before: State): void {
-    if (done[done.length - 1] === before)
-        done.pop()
-    state = before
+/** What was tried and refused: as it was before, and nothing of it to undo. Of what was tried alone, what has changed besides stays. */
+export function takeBack(before: State, tried?: Partial<State>): void {
+    const names = Object.keys(tried ?? {}) as (keyof State)[]
+    const back = (state: State) => cleared({ ...state, ...Object.fromEntries(names.map(name => [name, before[name]])) })
+    const at = done.lastIndexOf(before), since = at < 0 ? [] : done.splice(at).slice(1)
+    if (tried)
+        done.push(...since.map(back))
+    state = tried ? back(state) : before
     lastKind = ''
     writeFragment()
     tell()

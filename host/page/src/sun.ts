@@ -19,7 +19,7 @@ export function selectLight(i: number): void {
 }
 
 /** Of what is refused, too. */
-const numbers = (text: string) => [0, 1, 2].map(i => Number(text.split(',')[i]) || 0)
+const numbers = (text: string) => [0, 1, 2].map(i => Number(text.split(',')[i])).map(v => Number.isFinite(v) ? v : 0)
 
 /** Where a light stands in the picture, 0..1 from the upper left; a direction as on a ball that fills the shorter side. */
 function placeOf(light: Light): [number, number] {
@@ -80,9 +80,9 @@ export function movedTo({ kind, text }: Light, x: number, y: number): Light {
 const moveTo = (x: number, y: number) => put(movedTo(lights()[selectedLight()], x, y))
 
 function raise(by: number): void {
-    const { kind, text } = lights()[selectedLight()], values = text.split(',')
-    const z = Number(values[2])
-    values[2] = kind === 'light' ? short(Math.max(.02, z + by / 20)) : short(Math.max(1, z + by * 4), 1)
+    const { kind, text } = lights()[selectedLight()], values = text.split(','), all = numbers(text), [, , z] = all
+    const [x, y] = all.map((v, i) => values[i] && v === Number(values[i]) ? values[i] : String(v))
+    values.splice(0, 3, x, y, kind === 'light' ? short(Math.max(.02, z + by / 20)) : short(Math.max(1, z + by * 4), 1))
     put({ kind, text: values.join(',') })
 }
 

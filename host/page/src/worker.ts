@@ -22,6 +22,10 @@ export const methods = {
         engine.addMesh(name, bytes)
         other.addMesh(name, bytes)
     },
+    forget(name: string) {
+        engine.forget(name)
+        other.forget(name)
+    },
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
     refusals: (lines: string[][]) => other.refusals(lines),
