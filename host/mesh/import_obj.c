@@ -28,7 +28,8 @@ static void add_note(const char *text)
     char line[320];
     snprintf(line, sizeof line, "%.300s", text);
     for (char *at = line; *at; at++)
-        *at = *at == '\n' ? ' ' : *at;
+        if (*at == '\n')
+            *at = ' ';
     strcat(line, "\n");
     if (!strstr(notes, line) && len + strlen(line) < sizeof notes)
         strcpy(notes + len, line);

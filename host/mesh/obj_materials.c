@@ -89,6 +89,11 @@ static char *take_numbers(char *at, float numbers[3])
     return at;
 }
 
+static bool are_equal(const float a[3], const float b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
 static void leave_out(const struct obj_materials *materials, const char *option, const char *what)
 {
     char text[120];
@@ -118,7 +123,7 @@ static void take_picture(const struct obj_materials *materials, struct obj_mater
         snprintf(spaced, sizeof spaced, " %.20s ", option);
         if (i < sizeof options / sizeof *options) {
             at = take_numbers(at, numbers[i]);
-            if (i >= OTHER && memcmp(numbers[i], options[i].usual, sizeof numbers[i]) != 0)
+            if (i >= OTHER && !are_equal(numbers[i], options[i].usual))
                 leave_out(materials, option, "the option");
         } else if (!strstr(words, spaced)) {
             leave_out(materials, option, "the picture behind the unknown option");
