@@ -11,7 +11,7 @@ BUILD ?= build/$(if $(filter 1,$(SANITIZE)),sanitized,host)
 quoted = '$(subst ','\'',$(1))'
 $(if $(filter 1,$(words $(BUILD))),,$(error BUILD='$(BUILD)': name one folder, without blanks))
 # Numbers, where the command line gives them.
-$(foreach name,SECONDS MUTANTS SEED MINUTES JOBS,$(if $(filter command,$(origin $(name))),$(if $($(name)),$(if $(shell echo $(call quoted,$($(name))) | grep -xE '[0-9]{1,18}'),,\
+$(foreach name,SECONDS MUTANTS SEED MINUTES JOBS,$(if $(filter command,$(origin $(name))),$(if $($(name)),$(if $(shell case $(call quoted,$($(name))) in ('' | *[!0-9]* | ???????????????????*) ;; (*) echo good ;; esac),,\
 	$(error $(name)='$($(name))': give a whole number)))))
 # make -R has no default of these.
 CC ?= cc

@@ -44,8 +44,8 @@ export async function give(name: string, method: 'map' | 'mesh', bytes: Uint8Arr
 
 /** Neither this worker nor those after it have it from now on. */
 export function forget(name: string): void {
-    if (files.delete(name))
-        void ask('forget', name).catch(() => undefined)
+    files.delete(name)
+    void ask('forget', name).catch(() => undefined) // the worker may have taken one that it refused
 }
 
 /** What nobody waits for. */

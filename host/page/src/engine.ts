@@ -119,7 +119,9 @@ export class Engine {
         } catch (error) {
             this.maps = maps
             this.meshes = meshes
-            this.restore()
+            try {
+                this.restore()
+            } catch { /* no room for these either: the next draw says so */ }
             throw new Error(`${name}: there is no room for this file (${(error as Error).message}); choose a smaller one`)
         }
     }

@@ -75,7 +75,7 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         const node = json.nodes?.[i] ?? damaged(), own = node.mesh === undefined ? [] : json.meshes?.[node.mesh]?.primitives ?? damaged()
         if (node.skin !== undefined)
             refuse('has a skeleton; export it without')
-        if (depth > 64)
+        if (depth > 1000)
             damaged()
         if (++visited > nodesMost)
             refuse(`has more than ${nodesMost} nodes; export it as one mesh`)

@@ -32,8 +32,8 @@ export function forgetFile(name: string): void {
     version++
 }
 
-/** Where they take too much, the oldest go that the state does not name; undo finds those that the browser keeps. */
-function forgetOld(state: State): void {
+/** Where they take too much, the oldest go that the drawn state does not name; undo finds those that the browser keeps. */
+export function forgetOld(state: State): void {
     const named = kinds.map(kind => fileOf(state, kind))
     let sum = 0
     for (const [name, { takes }] of [...here].reverse())
@@ -63,6 +63,8 @@ function open(): Promise<IDBDatabase> {
 /** Where a browser keeps nothing (a private window), a file lasts as long as the page. */
 export async function keepFile(name: string): Promise<void> {
     const bytes = bytesOf(name)
+    if (!bytes) // undone meanwhile
+        return
     try {
         const store = (await open()).transaction('files', 'readwrite').objectStore('files')
         await finished(store.put({ name, bytes, time: Date.now() }))
@@ -92,6 +94,5 @@ export async function missingOf(state: State): Promise<Kind[]> {
         if (!isGiven)
             missing.push(kind)
     }
-    forgetOld(state)
     return missing.sort((a, b) => Number(isSurface(b)) - Number(isSurface(a)))
 }

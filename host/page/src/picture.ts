@@ -3,7 +3,7 @@
 import { ask, stop, Stopped, waits } from './client'
 import { byId, show } from './dom'
 import type { Facts } from './engine'
-import { missingOf } from './kept'
+import { forgetOld, missingOf } from './kept'
 import { current, onChange, reset, start, takeBack } from './store'
 import { fragmentOf, without, wordsOf } from './words'
 import type { State } from './words'
@@ -65,8 +65,11 @@ async function draw(now: State): Promise<void> {
             throw error
         })
         put({ ...picture, ...seen, asked: now, standsIn: missing.length > 0 })
+        forgetOld(now)
         if (missing.length || told !== still(now))
             print(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)
+        else
+            list(picture.warnings)
     } catch (error) {
         if (error instanceof Stopped)
             throw error
@@ -132,6 +135,10 @@ function print(refusal: string, warnings: string[] = []): void {
     told = ''
     byId('refusal').textContent = refusal
     byId('refusal').hidden = !refusal
+    list(warnings)
+}
+
+function list(warnings: string[]): void {
     byId('warnings').replaceChildren(...warnings.map(text => Object.assign(document.createElement('li'), { textContent: text })))
 }
 

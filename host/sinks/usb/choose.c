@@ -110,5 +110,7 @@ const struct usb_device *usb_choose(const struct usb_found *found, const struct 
 bool usb_may_pass(enum usb_attempt attempt, unsigned *denied)
 {
     enum { DENIED_TRIES = 8 };
+    if (attempt == USB_TRY_AGAIN) /* what comes back begins anew */
+        *denied = 0;
     return attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++*denied < DENIED_TRIES);
 }
