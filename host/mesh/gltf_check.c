@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 64, COUNT_MAX = 1 << 28, POINTS_TO_LINE_STRIP = 3, TRIANGLES = 4, TRIANGLE_FAN = 6 };
+enum { DEPTH_MAX = 1000, COUNT_MAX = 1 << 28, POINTS_TO_LINE_STRIP = 3, TRIANGLES = 4, TRIANGLE_FAN = 6 };
 enum { GLB_HEAD = 12, CHUNK_HEAD = 8 };
 static const uint64_t none = UINT64_MAX, sum_max = (uint64_t)1 << 40;
 
@@ -178,6 +178,17 @@ static bool is_morphed(const struct gltf *gltf, const json_t *node, uint64_t mes
     return false;
 }
 
+/* Such parts are not drawn, and neither is what is below them: programs hide parts so. */
+static bool is_hidden(const json_t *node)
+{
+    static const size_t of_matrix[] = {0, 1, 2, 4, 5, 6, 8, 9, 10};
+    const json_t *scale = json_object_get(node, "scale"), *matrix = json_object_get(node, "matrix");
+    bool is_zero = json_array_size(matrix ? matrix : scale) == (matrix ? 16 : 3);
+    for (size_t i = 0; is_zero && i < (matrix ? 9 : 3); i++)
+        is_zero = (float)json_number_value(json_array_get(matrix ? matrix : scale, matrix ? of_matrix[i] : i)) == 0;
+    return is_zero;
+}
+
 /* A node may be that of several others, or, in a damaged file, its own. */
 static const char *count_node(struct gltf *gltf, const json_t *at, unsigned depth, uint64_t *triangles)
 {
@@ -191,6 +202,10 @@ static const char *count_node(struct gltf *gltf, const json_t *at, unsigned dept
     *triangles = gltf->of_nodes[index];
     if (*triangles != none)
         return NULL;
+    if (is_hidden(node)) {
+        *triangles = gltf->of_nodes[index] = 0;
+        return NULL;
+    }
     if (json_object_get(node, "skin"))
         return skinned;
     if (mesh != none && is_morphed(gltf, node, mesh))
