@@ -273,7 +273,12 @@ static const char *check_file(struct import_source *source, bool is_gltf, uint64
         return wrong;
     if (is_gltf)
         return gltf_check(source->bytes, source->len, triangles);
-    return is_ply ? ply_check(source->bytes, source->len) : stl_check(source->bytes, source->len);
+    if (is_ply)
+        return ply_check(source->bytes, source->len);
+    const size_t binary = stl_binary_len(source->bytes, source->len);
+    if (binary)
+        source->len = binary;
+    return stl_check(source->bytes, source->len);
 }
 
 static const char no_such_vertex[] =

@@ -115,9 +115,12 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
                                         "s/^/  /; $s/$/ \\t \\r\\n\\n \\n/",
                                         "s/$/\\r/",
                                         "s/endsolid/ENDSOLID/",
+                                        "s/.*/\\U&/",
+                                        "s/normal 0 0 1/normal -1.#IND 1.#QNAN0 1.#INF/",
                                         "s/endsolid/end solid/",
                                         "$s/$/\\nfacets: 3/",
                                         "s/\\(.*solid\\).*/\\1 facet solid/",
+                                        "s/^solid.*/& facet endsolid solid/",
                                         "/^endsolid a/d; /^solid b/d",
                                         "$s/$/\\x00\\x00/"};
     write_text("a.stl", text);
@@ -136,6 +139,16 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
     }
     write_text("cut.stl", "solid a\nendsolid a\n");
     assert_fails("$GLINT bake --mesh cut.stl -o no.c", "it has no facets");
+}
+
+static void a_binary_stl_may_have_bytes_behind_its_facets(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "{ printf 'solid %074d\\1\\0\\0\\0' 0; head -c 24 /dev/zero; printf '\\0\\0\\200\\077'; head -c 12 /dev/zero; "
+        "printf '\\0\\0\\200\\077'; head -c 6 /dev/zero; } >binary.stl");
+    assert_same_mesh("binary.stl", "{ cat binary.stl; echo; } >made.stl");
+    assert_same_mesh("binary.stl", "{ cat binary.stl; head -c 512 /dev/zero; } >made.stl");
 }
 
 /* ---- other files ---- */
@@ -342,6 +355,7 @@ int main(void)
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
+        cmocka_unit_test(a_binary_stl_may_have_bytes_behind_its_facets),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
