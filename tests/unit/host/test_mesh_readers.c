@@ -279,7 +279,7 @@ static void colours_of_an_objs_vertices_go_to_1_or_to_255(void **state)
 static void a_normal_that_is_no_number_is_as_if_it_had_no_length(void **state)
 {
     (void)state;
-    static const char *const odd[] = {"nan nan nan", "0 nan 1", "0 0 1e999", "inf 0 0"};
+    static const char *const odd[] = {"nan nan nan", "0 nan 1", "0 0 1e999", "inf 0 0", "-1.#IND 1.#QNAN0 1.#INF"};
     write_text("normals.obj",
                "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nvn 0 0 -1\nvn 0 0 0\nf 1//1 2//1 3//2\nf 2//1 4//1 3//1\n");
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
