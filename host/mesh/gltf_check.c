@@ -283,17 +283,20 @@ static uint32_t word_at(const char *at)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-const char *gltf_check(const char *bytes, size_t len, uint64_t *triangles)
+const char *gltf_check(char *bytes, size_t len, uint64_t *triangles)
 {
+    if (len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
+        memset(bytes, ' ', 3);
     const bool is_binary = len >= GLB_HEAD + CHUNK_HEAD && memcmp(bytes, "glTF", 4) == 0;
     *triangles = 0;
     if (is_binary) {
-        const uint32_t version = word_at(bytes + 4), text = word_at(bytes + GLB_HEAD);
+        const uint32_t version = word_at(bytes + 4), text = word_at(bytes + GLB_HEAD), whole = word_at(bytes + 8);
         if (version == 1)
             return old;
+        const bool is_cut = whole > len;
         bytes += GLB_HEAD + CHUNK_HEAD;
         len -= GLB_HEAD + CHUNK_HEAD;
-        if (text > len)
+        if (text > len || (is_cut && len - text < CHUNK_HEAD)) /* for which libassimp looks among its other readers */
             return damaged;
         len = text;
     }

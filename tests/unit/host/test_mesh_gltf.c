@@ -220,6 +220,7 @@ static void binary_gltf_is_checked_as_text_is(void **state)
         {"cp base.gltf t; glb t 2", "a GLB's first buffer is in itself, and this one's is elsewhere; export it again"},
         {"cp base.gltf t; glb t 1", "it is a glTF 1; export it as glTF 2.0"},
         {"cp base.gltf t; glb t 2; truncate -s 500 a.glb", "it is damaged; export it again"},
+        {"cp base.gltf t; glb t 2; truncate -s -345 a.glb", "it is damaged; export it again"},
         {"sed 's/:/;/' base.gltf >t; glb t 2", "it is damaged; export it again"}};
     char line[1500];
     snprintf(line, sizeof line,
@@ -231,6 +232,7 @@ static void binary_gltf_is_checked_as_text_is(void **state)
         snprintf(line, sizeof line, "%s%s; " RENDER "a.glb -o no.ppm", make, cases[i][0]);
         assert_fails(line, cases[i][1]);
     }
+    assert_drawn_alike("s/^/\\xEF\\xBB\\xBF/", "");
     assert_edited_fails("s/2[.]0/1.0/", "it is a glTF 1; export it as glTF 2.0");
     assert_edited_fails("s/\"meshes\":/\"meshes\":[],&/", "it is damaged"); /* which of them? */
 }
