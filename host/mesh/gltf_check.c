@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_MAX = 64, COUNT_MAX = 1 << 28, POINTS_TO_LINE_STRIP = 3, TRIANGLES = 4, TRIANGLE_FAN = 6 };
+enum { DEPTH_MAX = 1000, COUNT_MAX = 1 << 28, POINTS_TO_LINE_STRIP = 3, TRIANGLES = 4, TRIANGLE_FAN = 6 };
 enum { GLB_HEAD = 12, CHUNK_HEAD = 8 };
 static const uint64_t none = UINT64_MAX, sum_max = (uint64_t)1 << 40;
 
@@ -178,6 +178,17 @@ static bool is_morphed(const struct gltf *gltf, const json_t *node, uint64_t mes
     return false;
 }
 
+/* Such parts are not drawn, and neither is what is below them: programs hide parts so. */
+static bool is_hidden(const json_t *node)
+{
+    static const size_t of_matrix[] = {0, 1, 2, 4, 5, 6, 8, 9, 10};
+    const json_t *scale = json_object_get(node, "scale"), *matrix = json_object_get(node, "matrix");
+    bool is_zero = json_array_size(matrix ? matrix : scale) == (matrix ? 16 : 3);
+    for (size_t i = 0; is_zero && i < (matrix ? 9 : 3); i++)
+        is_zero = (float)json_number_value(json_array_get(matrix ? matrix : scale, matrix ? of_matrix[i] : i)) == 0;
+    return is_zero;
+}
+
 /* A node may be that of several others, or, in a damaged file, its own. */
 static const char *count_node(struct gltf *gltf, const json_t *at, unsigned depth, uint64_t *triangles)
 {
@@ -191,6 +202,10 @@ static const char *count_node(struct gltf *gltf, const json_t *at, unsigned dept
     *triangles = gltf->of_nodes[index];
     if (*triangles != none)
         return NULL;
+    if (is_hidden(node)) {
+        *triangles = gltf->of_nodes[index] = 0;
+        return NULL;
+    }
     if (json_object_get(node, "skin"))
         return skinned;
     if (mesh != none && is_morphed(gltf, node, mesh))
@@ -268,17 +283,20 @@ static uint32_t word_at(const char *at)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
-const char *gltf_check(const char *bytes, size_t len, uint64_t *triangles)
+const char *gltf_check(char *bytes, size_t len, uint64_t *triangles)
 {
+    if (len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
+        memset(bytes, ' ', 3);
     const bool is_binary = len >= GLB_HEAD + CHUNK_HEAD && memcmp(bytes, "glTF", 4) == 0;
     *triangles = 0;
     if (is_binary) {
-        const uint32_t version = word_at(bytes + 4), text = word_at(bytes + GLB_HEAD);
+        const uint32_t version = word_at(bytes + 4), text = word_at(bytes + GLB_HEAD), whole = word_at(bytes + 8);
         if (version == 1)
             return old;
+        const bool is_cut = whole > len;
         bytes += GLB_HEAD + CHUNK_HEAD;
         len -= GLB_HEAD + CHUNK_HEAD;
-        if (text > len)
+        if (text > len || (is_cut && len - text < CHUNK_HEAD)) /* for which libassimp looks among its other readers */
             return damaged;
         len = text;
     }

@@ -7,6 +7,6 @@
 #include <stdint.h>
 
 /* Of a .gltf or a .glb. What is wrong, as the end of a message; NULL: nothing that is seen here, and *triangles is how many its scene has. */
-const char *gltf_check(const char *bytes, size_t len, uint64_t *triangles);
+const char *gltf_check(char *bytes, size_t len, uint64_t *triangles);
 
 #endif

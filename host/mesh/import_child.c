@@ -273,7 +273,12 @@ static const char *check_file(struct import_source *source, bool is_gltf, uint64
         return wrong;
     if (is_gltf)
         return gltf_check(source->bytes, source->len, triangles);
-    return is_ply ? ply_check(source->bytes, source->len) : stl_check(source->bytes, source->len);
+    if (is_ply)
+        return ply_check(source->bytes, source->len);
+    const size_t binary = stl_binary_len(source->bytes, source->len);
+    if (binary)
+        source->len = binary;
+    return stl_check(source->bytes, source->len);
 }
 
 static const char no_such_vertex[] =
@@ -293,7 +298,14 @@ static bool names_what_is_there(const struct aiScene *scene)
 /* How nodes place their meshes. */
 enum { PLAIN = 1, MIRRORED = 2, FLAT = 4 };
 
-/* The ways of a node and of those below it; `keep`: in which of them meshes stay. */
+static void hide(struct aiNode *node)
+{
+    node->mNumMeshes = 0;
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        hide(node->mChildren[i]);
+}
+
+/* The ways of a node and of those below it; `keep`: in which of them meshes stay. Where all is one point, nothing is drawn. */
 static unsigned keep_ways(struct aiNode *node, double parent, unsigned keep)
 {
     const struct aiMatrix4x4 *m = &node->mTransformation;
@@ -301,6 +313,10 @@ static unsigned keep_ways(struct aiNode *node, double parent, unsigned keep)
                  b[3] = {(double)m->b1, (double)m->b2, (double)m->b3},
                  c[3] = {(double)m->c1, (double)m->c2, (double)m->c3};
     double normal[3];
+    if (mesh_dot(a, a) + mesh_dot(b, b) + mesh_dot(c, c) == 0) {
+        hide(node);
+        return 0;
+    }
     mesh_cross(a, b, normal);
     const double scale = parent * mesh_dot(normal, c);
     const unsigned way = scale > 0 ? PLAIN : scale < 0 ? MIRRORED : FLAT;

@@ -112,7 +112,7 @@ static const char *ending_by_bytes(const struct import_source *source)
         return glb;
     if (len >= 4 && memcmp(at, "ply", 3) == 0 && isspace((unsigned char)at[3]))
         return ply;
-    if (stl_is_binary(at, len) || (has_line(source, "facet") && has_line(source, "vertex")))
+    if (stl_binary_len(at, len) == len || (has_line(source, "facet") && has_line(source, "vertex")))
         return stl;
     if (memchr(at, 0, len) == NULL) {
         size_t blanks = 0;

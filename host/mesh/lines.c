@@ -98,7 +98,8 @@ bool lines_number(const char *word, float *out)
     const size_t before = strspn(at, "0123456789"), point = at[before] == '.';
     const size_t behind = point ? strspn(at + before + 1, "0123456789") : 0;
     const char *end = at + before + point + behind;
-    if (strncasecmp(at, "nan", 3) == 0 || strncasecmp(at, "inf", 3) == 0) {
+    if (strncasecmp(at, "nan", 3) == 0 || strncasecmp(at, "inf", 3) == 0 ||
+        strncmp(at, "1.#", 3) == 0) { /* the last on Windows */
         *out = NAN;
         return true;
     }

@@ -154,18 +154,27 @@ static void find_seams(const struct mesh *mesh, struct open *open, size_t count,
     }
 }
 
+static bool is_together(const struct edge *a, const struct edge *b)
+{
+    return lower_of(a) == lower_of(b) && upper_of(a) == upper_of(b);
+}
+
 /* Of edges at the same two places each is joined with one that runs the other way. Those left over are open. */
 static size_t join(const struct mesh *mesh, const struct edge *edges, size_t count, uint16_t (*neighbours)[3],
                    struct open *open)
 {
-    size_t found = 0;
+    size_t found = 0, next[2] = {0, 0}; /* from there on edges of each way may be free */
     for (size_t i = 0; i < count; i++) {
         uint16_t *beside = &neighbours[edges[i].face][edges[i].k];
-        for (size_t j = i + 1; j < count && *beside == GLINT_MESH_RIM && lower_of(&edges[j]) == lower_of(&edges[i]) &&
-                               upper_of(&edges[j]) == upper_of(&edges[i]);
-             j++) {
+        size_t *const first = &next[edges[i].from == lower_of(&edges[i])];
+        bool passed = false; /* one that is free, but for another face */
+        for (size_t j = *first > i ? *first : i + 1;
+             j < count && *beside == GLINT_MESH_RIM && is_together(&edges[i], &edges[j]); j++) {
             uint16_t *other = &neighbours[edges[j].face][edges[j].k];
-            if (*other != GLINT_MESH_RIM || edges[j].from != edges[i].to || edges[j].face == edges[i].face)
+            const bool is_free = *other == GLINT_MESH_RIM && edges[j].from == edges[i].to;
+            passed |= is_free && edges[j].face == edges[i].face;
+            *first = passed ? *first : j + 1;
+            if (!is_free || edges[j].face == edges[i].face)
                 continue;
             *beside = (uint16_t)edges[j].face;
             *other = (uint16_t)edges[i].face;

@@ -3,6 +3,7 @@
 
 #include <errno.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +14,7 @@ enum { ELEMENTS_MAX = 16, PROPERTIES_MAX = 256, LINE = 256 };
 struct property {
     unsigned count_bytes, bytes; /* the first: of a list's length; 0: no list */
     bool is_signed, is_big;      /* that length */
+    bool is_float;               /* no list */
 };
 struct element {
     uint64_t count;
@@ -104,6 +106,7 @@ static bool take_property(struct element *element, const char *line)
         property->bytes = property->count_bytes ? bytes_of(type) : 0;
     } else if (sscanf(line, "property %31s", type) == 1) {
         property->bytes = bytes_of(type);
+        property->is_float = is_in(type, " float float32 double float64 ");
     }
     return property->bytes > 0;
 }
@@ -126,6 +129,17 @@ static bool take_element(struct element *element, const char *line)
         return false;
     element->is_known = is_in(name, " vertex face tristrips edge material TextureFile ");
     return take_number(count, &element->count);
+}
+
+/* libassimp makes black of an alpha without colours. Alpha is not drawn. */
+static void leave_alpha_out(char *from, const char *end)
+{
+    static const char name[] = "alpha";
+    const size_t len = sizeof name - 1;
+    while (end > from && is_blank(end[-1]))
+        end--;
+    if ((size_t)(end - from) > len && memcmp(end - len, name, len) == 0 && is_blank(end[-1 - (ptrdiff_t)len]))
+        memset(from + (end - from) - len, 'x', len);
 }
 
 static bool begins(const char *line, const char *word)
@@ -169,6 +183,8 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
             return damaged;
         if (is_property && is_torn)
             return torn;
+        if (is_property)
+            leave_alpha_out(from, body->at);
         is_torn = is_torn && !is_element;
         too_many = too_many || (is_element && *count == ELEMENTS_MAX) ||
                    (is_property && elements[*count - 1].properties == PROPERTIES_MAX);
@@ -299,14 +315,26 @@ static bool has_unknown(const struct element *elements, unsigned count)
     return false;
 }
 
+/* The last bit of a number with a point tells nothing. */
+static bool may_change_first(const struct element *elements, unsigned count)
+{
+    unsigned i = 0;
+    while (i < count && !(elements[i].count && elements[i].properties))
+        i++;
+    return i < count && elements[i].of[0].is_float && !elements[i].of[0].is_big;
+}
+
 const char *ply_check(char *text, size_t len)
 {
     struct body body = {text, text + len, false};
     struct element elements[ELEMENTS_MAX];
     unsigned count;
     const char *wrong = read_header(&body, elements, &count);
-    if (!wrong && !body.is_text && body.at < body.end && *body.at == '\n' && body.at[-2] != '\r')
-        return misread;
+    if (!wrong && !body.is_text && body.at < body.end && *body.at == '\n' && body.at[-2] != '\r') {
+        if (!may_change_first(elements, count))
+            return misread;
+        *body.at = 11;
+    }
     if (!wrong && has_unknown(elements, count))
         return unknown;
     if (!wrong && body.is_text)

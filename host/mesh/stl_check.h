@@ -3,12 +3,12 @@
 #ifndef GLINT_MESH_STL_CHECK_H
 #define GLINT_MESH_STL_CHECK_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
-/* A binary STL has as many bytes as the count after its comment says. The comment may begin as a text STL does. */
-bool stl_is_binary(const char *bytes, size_t len);
+/* A binary STL has as many bytes as the count after its comment says, or a few behind them, which say nothing. The comment may begin as a text STL does.
+ * 0: it is none. */
+size_t stl_binary_len(const char *bytes, size_t len);
 /* What is wrong, as the end of a message; NULL: nothing that is seen here. */
-const char *stl_check(const char *bytes, size_t len);
+const char *stl_check(char *bytes, size_t len);
 
 #endif

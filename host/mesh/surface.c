@@ -34,20 +34,21 @@ static void use_one_picture(struct soup *soup, const char *path)
 }
 
 /* A picture of roughness and metal becomes its mean: a part has one shininess. */
-static void take_look(const struct soup *soup, struct mesh_material *material)
+static void take_look(const struct soup *soup, unsigned picture)
 {
+    const struct mesh_picture *from = &soup->pictures[picture];
+    const size_t pixels = (size_t)from->width * from->height;
     double sum[3] = {0};
-    if (!material->look_picture || material->look_picture > soup->picture_count)
-        return;
-    const struct mesh_picture *picture = &soup->pictures[material->look_picture - 1];
-    const size_t pixels = (size_t)picture->width * picture->height;
-    if (!picture->rgb)
-        return;
-    for (size_t i = 0; i < 3 * pixels; i++)
-        sum[i % 3] += picture->rgb[i];
-    material->has_roughness = true;
-    material->roughness *= sum[1] / (255 * (double)pixels);
-    material->metallic *= sum[2] / (255 * (double)pixels);
+    for (size_t i = 0; from->rgb && i < 3 * pixels; i++)
+        sum[i % 3] += from->rgb[i];
+    for (unsigned i = 0; from->rgb && i < soup->part_count; i++) {
+        struct mesh_material *material = &soup->materials[i];
+        if (material->look_picture != picture + 1)
+            continue;
+        material->has_roughness = true;
+        material->roughness *= sum[1] / (255 * (double)pixels);
+        material->metallic *= sum[2] / (255 * (double)pixels);
+    }
 }
 
 /* Parts whose picture is not there have none. Returns whether any has. */
@@ -254,10 +255,13 @@ static void mean_of(const struct mesh_picture *picture, uint8_t color[3])
 static void settle_materials(struct soup *soup)
 {
     bool too_smooth = false;
+    uint8_t(*means)[3] = allocate(soup->picture_count + 1, sizeof *means);
+    for (unsigned i = 0; i < soup->picture_count; i++)
+        mean_of(&soup->pictures[i], means[i]); /* parts may share a picture */
     for (unsigned i = 0; i < soup->part_count; i++) {
         struct mesh_material *material = &soup->materials[i];
         if (material->picture)
-            mean_of(&soup->pictures[material->picture - 1], material->tint);
+            memcpy(material->tint, means[material->picture - 1], sizeof material->tint);
         else
             memcpy(material->tint, material->color, sizeof material->tint);
         if (!material->has_roughness)
@@ -266,6 +270,7 @@ static void settle_materials(struct soup *soup)
         material->n = shininess_held(n);
         too_smooth |= n > 1000.5;
     }
+    free(means);
     if (too_smooth)
         warn("%s: a roughness below .211 is more than the largest shininess, 1000, which is drawn", soup->name);
 }
@@ -275,8 +280,8 @@ void mesh_surface_begin(struct soup *soup, const struct mesh_source *source)
     if (source->texture)
         use_one_picture(soup, source->texture);
     else
-        for (unsigned i = 0; i < soup->part_count; i++)
-            take_look(soup, &soup->materials[i]);
+        for (unsigned i = 0; i < soup->picture_count; i++)
+            take_look(soup, i);
     soup->has_uv = find_pictures(soup);
     if (soup->has_uv) {
         forget_places(soup);

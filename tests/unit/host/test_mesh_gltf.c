@@ -157,6 +157,31 @@ static void mirrored_parts_show_their_outer_side(void **state)
                         "its nodes make parts flat; apply their transforms before you export it");
 }
 
+static void parts_that_are_scaled_to_0_are_hidden(void **state)
+{
+    (void)state;
+    assert_drawn_alike("s/{\"mesh\":0}/{\"children\":[1,2]},&,{\"children\":[3],\"scale\":[0,0,0]},{\"mesh\":0}/", "");
+    assert_drawn_alike(
+        "s/{\"mesh\":0}/{\"children\":[1,2]},&,{\"mesh\":0,\"matrix\":[0,0,0,0,0,0,0,0,0,0,0,0,1,2,3,1]}/", "");
+    assert_drawn_alike(
+        "s/{\"mesh\":0}/{\"children\":[1,2,3]},&,{\"mesh\":0,\"scale\":[0,0,0]},{\"mesh\":0,\"scale\":[-1,1,1]}/",
+        "s/{\"mesh\":0}/{\"children\":[1,2]},&,{\"mesh\":0,\"scale\":[-1,1,1]}/");
+}
+
+static void bones_may_stand_a_thousand_deep(void **state)
+{
+    (void)state;
+    static const char chain[] =
+        "seq 1 %d | sed 's/.*/{\"children\":[&]},/' | tr -d '\\n' >chain; "
+        "sed \"s/{\\\"mesh\\\":0}/$(cat chain)&/\" base.gltf >deep.gltf && " RENDER "deep.gltf -o a.ppm";
+    char line[400];
+    snprintf(line, sizeof line, chain, 1000);
+    strcat(line, " && " RENDER "base.gltf -o b.ppm && cmp a.ppm b.ppm");
+    assert_quiet(line);
+    snprintf(line, sizeof line, chain, 1001);
+    assert_fails(line, "it is damaged");
+}
+
 static void points_and_lines_take_no_normals_away(void **state)
 {
     (void)state;
@@ -195,6 +220,7 @@ static void binary_gltf_is_checked_as_text_is(void **state)
         {"cp base.gltf t; glb t 2", "a GLB's first buffer is in itself, and this one's is elsewhere; export it again"},
         {"cp base.gltf t; glb t 1", "it is a glTF 1; export it as glTF 2.0"},
         {"cp base.gltf t; glb t 2; truncate -s 500 a.glb", "it is damaged; export it again"},
+        {"cp base.gltf t; glb t 2; truncate -s -345 a.glb", "it is damaged; export it again"},
         {"sed 's/:/;/' base.gltf >t; glb t 2", "it is damaged; export it again"}};
     char line[1500];
     snprintf(line, sizeof line,
@@ -206,6 +232,7 @@ static void binary_gltf_is_checked_as_text_is(void **state)
         snprintf(line, sizeof line, "%s%s; " RENDER "a.glb -o no.ppm", make, cases[i][0]);
         assert_fails(line, cases[i][1]);
     }
+    assert_drawn_alike("s/^/\\xEF\\xBB\\xBF/", "");
     assert_edited_fails("s/2[.]0/1.0/", "it is a glTF 1; export it as glTF 2.0");
     assert_edited_fails("s/\"meshes\":/\"meshes\":[],&/", "it is damaged"); /* which of them? */
 }
@@ -221,6 +248,8 @@ int main(void)
         cmocka_unit_test(what_a_gltf_requires_and_glint_does_not_carry_out_is_refused),
         cmocka_unit_test(skeletons_and_morph_targets_with_weights_are_refused),
         cmocka_unit_test(mirrored_parts_show_their_outer_side),
+        cmocka_unit_test(parts_that_are_scaled_to_0_are_hidden),
+        cmocka_unit_test(bones_may_stand_a_thousand_deep),
         cmocka_unit_test(points_and_lines_take_no_normals_away),
         cmocka_unit_test(sparse_numbers_are_read_where_libassimp_reads_them),
         cmocka_unit_test(binary_gltf_is_checked_as_text_is),

@@ -29,6 +29,7 @@ static void a_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state
         "s/^element face/property float quality\\nproperty uchar kind\\n&/; s/^[^pef3].*[0-9]$/& .5 255/",
         "s/^property float x/property double confidence\\n&/; s/^[0-9] [0-9] [0-9]$/1 &/", "s/^[0-9] [0-9] [0-9]$/& 9/",
         "s/^3 .*/& 255 0 9/", "s/^end_header/property uchar red\\n&/; s/^3 .*/& 255/",
+        "s/^element face/property uchar alpha\\n&/; s/^[0-9] [0-9] [0-9]$/& 99/",
         "s/^property list/property int flags\\n&/; s/^3 /7 &/",
         /* lines of a header among properties and before them */
         "s/^property float [xyz]/comment of a program\\n&/", "s/^property float y/obj_info 4 of them\\n\\n &/",
@@ -78,6 +79,8 @@ static void a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces(void 
         }
         assert_int_equal(fclose(file), 0);
         assert_same_mesh("a.ply", "cp made.bin.ply made.ply");
+        if (!big) /* the first byte is 10, by which the number grows hardly */
+            assert_same_mesh("a.ply", "{ head -c -94 made.bin.ply; echo; tail -c 93 made.bin.ply; } >made.ply");
     }
 }
 
@@ -112,9 +115,12 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
                                         "s/^/  /; $s/$/ \\t \\r\\n\\n \\n/",
                                         "s/$/\\r/",
                                         "s/endsolid/ENDSOLID/",
+                                        "s/.*/\\U&/",
+                                        "s/normal 0 0 1/normal -1.#IND 1.#QNAN0 1.#INF/",
                                         "s/endsolid/end solid/",
                                         "$s/$/\\nfacets: 3/",
                                         "s/\\(.*solid\\).*/\\1 facet solid/",
+                                        "s/^solid.*/& facet endsolid solid/",
                                         "/^endsolid a/d; /^solid b/d",
                                         "$s/$/\\x00\\x00/"};
     write_text("a.stl", text);
@@ -133,6 +139,16 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
     }
     write_text("cut.stl", "solid a\nendsolid a\n");
     assert_fails("$GLINT bake --mesh cut.stl -o no.c", "it has no facets");
+}
+
+static void a_binary_stl_may_have_bytes_behind_its_facets(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "{ printf 'solid %074d\\1\\0\\0\\0' 0; head -c 24 /dev/zero; printf '\\0\\0\\200\\077'; head -c 12 /dev/zero; "
+        "printf '\\0\\0\\200\\077'; head -c 6 /dev/zero; } >binary.stl");
+    assert_same_mesh("binary.stl", "{ cat binary.stl; echo; } >made.stl");
+    assert_same_mesh("binary.stl", "{ cat binary.stl; head -c 512 /dev/zero; } >made.stl");
 }
 
 /* ---- other files ---- */
@@ -263,7 +279,7 @@ static void colours_of_an_objs_vertices_go_to_1_or_to_255(void **state)
 static void a_normal_that_is_no_number_is_as_if_it_had_no_length(void **state)
 {
     (void)state;
-    static const char *const odd[] = {"nan nan nan", "0 nan 1", "0 0 1e999", "inf 0 0"};
+    static const char *const odd[] = {"nan nan nan", "0 nan 1", "0 0 1e999", "inf 0 0", "-1.#IND 1.#QNAN0 1.#INF"};
     write_text("normals.obj",
                "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 2 2 0\nvn 0 0 -1\nvn 0 0 0\nf 1//1 2//1 3//2\nf 2//1 4//1 3//1\n");
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
@@ -339,6 +355,7 @@ int main(void)
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
+        cmocka_unit_test(a_binary_stl_may_have_bytes_behind_its_facets),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
