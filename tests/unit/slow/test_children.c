@@ -128,23 +128,6 @@ static void a_machine_that_stands_still_ends_no_child(void **state)
 #endif
 }
 
-#if GLINT_WITH_MESH
-/* Not every user may make such a place. */
-static void without_proc_a_mesh_names_no_file_and_is_told_why(void **state)
-{
-    (void)state;
-    assert_quiet("printf 'mtllib red.mtl\\nv 0 0 0\\nv 2 0 0\\nv 0 1 0\\nusemtl red\\nf 1 2 3\\n' >m.obj && printf "
-                 "'newmtl red\\nKd 1 0 0\\n' >red.mtl");
-    setenv("HIDDEN", "unshare -rm sh -c 'mount -t tmpfs none /proc && exec \"$0\" \"$@\"'", 1);
-    if (run("eval $HIDDEN $GLINT --version")->status != 0)
-        skip();
-    const struct run *result = run("eval $HIDDEN $GLINT render --mesh m.obj --size 9x9 -o m.ppm");
-    assert_int_equal(result->status, 0);
-    assert_one_line(result->err);
-    assert_contains(result->err, "red.mtl, which is left out: where it lies cannot be told without /proc; mount it");
-}
-#endif
-
 #if GLINT_WITH_SVG
 static void a_drawing_that_librsvg_cannot_bear_is_one_line(void **state)
 {
@@ -178,9 +161,6 @@ int main(int count, char **words)
         cmocka_unit_test(a_child_dies_with_its_parent),
 #endif
         cmocka_unit_test(a_machine_that_stands_still_ends_no_child),
-#if GLINT_WITH_MESH
-        cmocka_unit_test(without_proc_a_mesh_names_no_file_and_is_told_why),
-#endif
 #if GLINT_WITH_SVG
         cmocka_unit_test(a_drawing_that_librsvg_cannot_bear_is_one_line),
 #endif
