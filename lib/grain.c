@@ -306,7 +306,8 @@ static void grain_axis(struct grain_way *way, const int16_t axis[3], int16_t tur
 {
     int32_t u[3];
     for (unsigned k = 0; k < 3; k++) {
-        const int32_t sum = turn[k][0] * axis[0] + turn[k][1] * axis[1] + turn[k][2] * axis[2];
+        const int32_t sum =
+            (int32_t)turn[k][0] * axis[0] + (int32_t)turn[k][1] * axis[1] + (int32_t)turn[k][2] * axis[2];
         const int32_t nearest = (sum + 8192) >> 14;
         u[k] = nearest > INT16_MAX ? INT16_MAX : nearest < -INT16_MAX ? -INT16_MAX : nearest;
     }

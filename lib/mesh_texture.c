@@ -163,8 +163,9 @@ static void over_set(struct glint_mesh_over *over, const struct glint_mesh_targe
         return;
     }
     const unsigned bits = mesh->uv_bits;
-    const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(of[1][0] - of[0][0], of[2][0] - of[0][0]),
-                                            glint_mesh_pair_of(of[1][1] - of[0][1], of[2][1] - of[0][1])};
+    const struct glint_mesh_pair pair[2] = {
+        glint_mesh_pair_of((int32_t)of[1][0] - of[0][0], (int32_t)of[2][0] - of[0][0]),
+        glint_mesh_pair_of((int32_t)of[1][1] - of[0][1], (int32_t)of[2][1] - of[0][1])};
     over_picture(&over->picture, texture, over_level(texture, pair, bits, corners.at));
     over->is_smooth = texture->is_smooth;
     over->count = 2;
@@ -270,8 +271,8 @@ static void laying_texture(const struct over_laying *laying, struct glint_mesh_l
     const unsigned bits = mesh->uv_bits;
     const uint16_t *const a = mesh->uv + 2 * (size_t)laying->of[0], *const b = mesh->uv + 2 * (size_t)laying->of[1],
                           *const c = mesh->uv + 2 * (size_t)laying->of[2];
-    const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of(b[0] - a[0], c[0] - a[0]),
-                                            glint_mesh_pair_of(b[1] - a[1], c[1] - a[1])};
+    const struct glint_mesh_pair pair[2] = {glint_mesh_pair_of((int32_t)b[0] - a[0], (int32_t)c[0] - a[0]),
+                                            glint_mesh_pair_of((int32_t)b[1] - a[1], (int32_t)c[1] - a[1])};
     struct glint_mesh_picture picture;
     over_picture(&picture, texture, over_level(texture, pair, bits, laying->at));
     laid->of[GLINT_MESH_LAID_BLUE] = (uint32_t)((uintptr_t)picture.pixels - (uintptr_t)texture->pixels);

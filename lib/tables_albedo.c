@@ -61,7 +61,7 @@ static void albedo_light(struct glint_paint *paint)
     const struct glint_tables *tables = &paint->of.tables.filled;
     const unsigned reader = 32 - GLINT_ALBEDO_COLUMNS_LOG; /* e r >> this is the column */
     const struct glint_vec l = paint->l;
-    const int32_t y_q9 = -((l.y + 16) >> 5), z_q9 = -((l.z + 16) >> 5);
+    const int32_t y_q9 = -(((int32_t)l.y + 16) >> 5), z_q9 = -(((int32_t)l.z + 16) >> 5);
     const int64_t x = l.x, y = 32 * y_q9, z = 32 * z_q9 - 32768;
     const uint32_t peak = glint_root((uint64_t)(x * x + y * y + z * z) << 20); /* Q25 */
     const uint64_t r = peak ? (((uint64_t)1 << (30 + reader - tables->shift)) + peak / 2) / peak : 0;

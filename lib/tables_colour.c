@@ -108,7 +108,7 @@ void glint_colour_light(struct glint_paint *paint)
 {
     const struct glint_tables *tables = &paint->of.tables.filled;
     const struct glint_vec l = paint->l;
-    const int32_t y_q14 = (l.y + 1) >> 1, z_q14 = (l.z + 1) >> 1; /* Q14, as z */
+    const int32_t y_q14 = ((int32_t)l.y + 1) >> 1, z_q14 = ((int32_t)l.z + 1) >> 1; /* Q14, as z */
     const int64_t x = l.x, y = 2 * y_q14, z = 2 * z_q14 + 32768;
     const uint32_t peak = glint_root((uint64_t)(x * x + y * y + z * z) << 28);          /* Q29, <= 2^30 + 2^16 */
     const uint32_t reach = (uint32_t)(((uint64_t)tables->t_max_q30 * peak) >> 30) >> 1; /* of e */
