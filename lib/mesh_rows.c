@@ -389,10 +389,13 @@ void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle
 {
     if (triangle->y < target->y)
         glint_mesh_triangle_skip(triangle, target->y);
-    if (glint_mesh_is_colour(paint, target))
+    if (glint_mesh_is_colour(paint, target)) {
         glint_mesh_colour(&paint->of.tables.filled, triangle, target);
-    else if (glint_mesh_is_albedo(paint, target))
+    } else if (glint_mesh_is_albedo(paint, target)) {
         GLINT_FLASH_POINTER(target->drawn->mesh->use->lines)
-    (&paint->of.tables.filled, triangle, target, glint_mesh_texture_of(target->drawn, paint));
-    else rows_draw(paint, triangle, target);
+        (&paint->of.tables.filled, triangle, target, glint_mesh_texture_of(target->drawn, paint));
+    } else { /* an odd surface, after one that was not */
+        triangle->shine &= GLINT_MESH_LAID - 1;
+        rows_draw(paint, triangle, target);
+    }
 }

@@ -273,9 +273,58 @@ static void in_perspective_textures_go_in_steps_of_the_sequence(void **state)
         assert_true(parts_of[n] > 20);
 }
 
+/* What draws an even line lays the triangle's colours behind it, for the strips after this one. */
+static void a_mesh_is_the_same_in_strips_at_even_and_odd_addresses(void **state)
+{
+    (void)state;
+    enum { SIDE = 64, STRIP = 16, BYTES = 2 * SIDE };
+    static const int16_t places[] = {-800, 900, 0, -900, -900, 0, 900, -700, 0},
+                         normals[] = {0, 0, 32767, 0, 0, 32767, 0, 0, 32767};
+    static const uint16_t face[] = {0, 1, 2};
+    static const uint8_t colours[] = {255, 0, 0, 0, 255, 0, 0, 0, 255};
+    static const int32_t front[] = {0, 0, 1};
+    static uint32_t frame_memory[60000], mesh_memory[100];
+    static uint8_t even[SIDE * BYTES], mixed[SIDE * BYTES];
+    static uint16_t strip[STRIP * SIDE + 1];
+    const struct glint_material material = {
+        .model = GLINT_MSH, .n = 20, .ambient_q16 = {30000, 30000, 30000}, .diffuse_q16 = {30000, 30000, 30000}};
+    const struct glint_output output = {GLINT_RGB565, GLINT_GAMMA, false};
+    const struct glint_mesh triangle = {.places = places,
+                                        .normals = normals,
+                                        .faces = face,
+                                        .vertex_count = 3,
+                                        .face_count = 1,
+                                        .of_vertices = colours,
+                                        .use = &glint_use_mesh_albedo};
+    const struct glint_pose pose = {.turn = {32767, 0, 0, 0}, .scale = 16383};
+    struct glint_light light;
+    struct glint_paint paint;
+    assert_int_equal(glint_light_directional(&light, front), GLINT_OK);
+    assert_int_equal(glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, &material, &output, memory, sizeof memory),
+                     GLINT_OK);
+    assert_int_equal(glint_paint_light(&paint, &light, 1, front), GLINT_OK);
+    for (int odd_ones = 0; odd_ones < 16; odd_ones++) { /* a bit a strip */
+        struct glint_mesh_frame frame;
+        struct glint_mesh_drawn drawn;
+        assert_int_equal(glint_mesh_begin(&frame, SIDE, SIDE, STRIP, 0, frame_memory, sizeof frame_memory), GLINT_OK);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &triangle, &pose, &paint, mesh_memory, sizeof mesh_memory),
+                         GLINT_OK);
+        for (int i = 0; i < SIDE / STRIP; i++) {
+            uint8_t *const pixels = (uint8_t *)strip + (odd_ones >> i & 1);
+            const struct glint_surface surface = {pixels, BYTES, 0, (uint16_t)(i * STRIP)};
+            memset(strip, 0, sizeof strip);
+            assert_int_equal(glint_mesh_strip(&frame, (uint16_t)(i * STRIP), STRIP, &surface), GLINT_OK);
+            memcpy((odd_ones ? mixed : even) + i * STRIP * BYTES, pixels, STRIP * BYTES);
+        }
+        if (odd_ones)
+            assert_memory_equal(mixed, even, sizeof even);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_mesh_is_the_same_in_strips_at_even_and_odd_addresses),
         cmocka_unit_test(a_picture_in_colours_is_the_same_in_strips_of_any_height_and_order),
         cmocka_unit_test(a_face_of_a_colour_has_the_pixels_of_that_albedo),
         cmocka_unit_test(vertices_of_one_colour_have_the_pixels_of_that_albedo),
