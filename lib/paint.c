@@ -279,7 +279,9 @@ enum glint_err glint_paint_steps_for(struct glint_paint *paint, const struct gli
         struct glint_sample samples[2] = {{UINT32_MAX, i << GLINT_STEPS_LOG, 0}, {UINT32_MAX, 0, 0}};
         samples[1].nl_q16 = samples[0].nl_q16 + (i << GLINT_STEPS_LOG < 65536 ? 1u << GLINT_STEPS_LOG : 0);
         run.line = ends[0];
-        steps[i] = 0; /* not the pixel of a table before */
+        steps[i] = 0; /* not the pixels of a table before */
+        if (i < 65536 >> GLINT_STEPS_LOG)
+            steps[i + 1] = 0;
         const uint32_t open = glint_run_levels(paint, &run, samples, 2);
         for (unsigned k = 0; k < 2; k++)
             if (open >> k & 1)

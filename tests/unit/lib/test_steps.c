@@ -146,6 +146,27 @@ static void what_maps_change_is_drawn_as_without_steps(void **state)
     }
 }
 
+static void steps_are_the_same_whatever_their_memory_held(void **state)
+{
+    (void)state;
+    static uint16_t first[GLINT_STEPS_BYTES / 2], second[GLINT_STEPS_BYTES / 2];
+    const struct glint_output output = {GLINT_RGB565, GLINT_GAMMA, false};
+    struct glint_material material = {.model = GLINT_MSH,
+                                      .n = 80,
+                                      .ambient_q16 = {6000, 6000, 6000},
+                                      .diffuse_q16 = {50000, 50000, 50000},
+                                      .albedo = {200, 180, 160}};
+    struct glint_paint paint, other;
+    assert_int_equal(glint_paint_exact(&paint, &material, &output), GLINT_OK);
+    for (int i = 0; i < 3; i++)
+        material.ambient_q16[i] -= 98; /* all a step later */
+    assert_int_equal(glint_paint_exact(&other, &material, &output), GLINT_OK);
+    assert_int_equal(glint_paint_steps(&paint, first, sizeof first), GLINT_OK);
+    assert_int_equal(glint_paint_steps(&other, second, sizeof second), GLINT_OK);
+    assert_int_equal(glint_paint_steps(&paint, second, sizeof second), GLINT_OK); /* a second time */
+    assert_memory_equal(first, second, sizeof first);
+}
+
 static void steps_of_what_has_none_are_refused(void **state)
 {
     (void)state;
@@ -181,6 +202,7 @@ int main(void)
         cmocka_unit_test(a_step_is_one_pixel_up_to_the_first_value_of_the_next),
         cmocka_unit_test(lights_of_another_colour_and_several_draw_as_without_steps),
         cmocka_unit_test(what_maps_change_is_drawn_as_without_steps),
+        cmocka_unit_test(steps_are_the_same_whatever_their_memory_held),
         cmocka_unit_test(steps_of_what_has_none_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
