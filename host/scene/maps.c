@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "image/image.h"
+#include "image/picture.h"
 #include "image/read.h"
 #include "scene/bevel.h"
 #include "scene/curl.h"
@@ -300,6 +301,9 @@ struct scene_lines *scene_lines_new(const struct scene_maps *maps, uint32_t widt
     if (is_made_at_once(options)) {
         uint32_t whole_width, whole_height;
         source_size(lines, &whole_width, &whole_height);
+        if (!maps->surface && !picture_size_fits(whole_width, whole_height))
+            fail("--filter %u: the scene is drawn with more than %d pixels; choose a smaller --filter or --size",
+                 options->filter, PIXELS_MAX);
         struct scene *scene = surface_lines(lines, 0, whole_height);
         if (options->filter > 1)
             scene_shrink(scene, options->filter);

@@ -430,6 +430,8 @@ static void wrong_values_are_refused_with_the_reason(void **state)
          "--filter: blinn takes no map of shininess; choose one of msh"},
         {"render --scene knob --filter 2 -o out/x.png", 1, "a surface with grain takes no map of shininess"},
         {"bake --scene coin --filter 2 --to palette", 2, "--filter cannot be used with --to palette"},
+        {"render --scene coin --size 1024x1024 --filter 16 -o out/x.png", 1,
+         "--filter 16: the scene is drawn with more than 33554432 pixels"},
         {"bake --scene coin -n 9", 2, "-n is for --filter"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
