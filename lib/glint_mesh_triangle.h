@@ -131,8 +131,7 @@ static inline void glint_mesh_linear_set(struct glint_mesh_linear *linear, const
 {
     if (s->e < GLINT_MESH_STEEP) { /* one for all of it: of the corners the mean, with the second one counted twice */
         const int32_t sum = 2 * pair.p + pair.q;
-        const int left = up + (int)pair.shift - 2;
-        linear->at = left < 0 ? (uint32_t)(sum >> -left) : (uint32_t)sum << left;
+        linear->at = (uint32_t)sum << ((up + (int)pair.shift - 2) & 31); /* it is negative where the sum is 0 */
         linear->x = linear->y = 0;
         return;
     }

@@ -142,7 +142,7 @@ static inline bool place_half(struct glint_view *view, struct glint_unit *unit, 
 {
     int32_t *const l = unit->unit_q30;
     int32_t slack = GLINT_UNIT_FRONT;
-    if (!(v[0] | v[1]) && v[2] > 0 && l[2] >= 0) {
+    if (!(v[0] | v[1]) && v[2] == (int32_t)GLINT_T_ONE && l[2] >= 0) {
         glint_unit_front(l, l);
     } else {
         for (int i = 0; i < 3; i++) /* off by up to 2, and far from 0 where up is small */

@@ -52,21 +52,21 @@ void glint_paint_fold(struct glint_paint *p, bool rounds)
     struct glint_coefficients c;
     const uint32_t peak = glint_paint_peak(p), max = GLINT_FLASH_U8(glint_formats[p->output.format].max[1]);
     unsigned up = 0;
-    uint32_t most = 0, tint = 0; /* most: D + S, <= 2^17 */
+    uint32_t most = 0, tint = 0; /* most: D + S, < 2^17 */
     while (peak > (uint32_t)65536 << up)
         up++;
     for (unsigned k = 0; k < 3; k++) {
         const uint32_t color = p->color_q16[k], half = color >> up >> 1; /* of 1.0 it leaves D and S as they are */
         const uint32_t d = glint_coefficient(m->diffuse_q16[k]), s = glint_coefficient(m->specular_q16[k]);
         tint |= color ^ 65536;
-        most = d + s + 1 > most ? d + s + 1 : most;
+        most = d + s > most ? d + s : most;
         c.d[k] = (d * half >> 15) << p->of.exact.nl_down;
         c.s[k] = (s * half >> 15) << p->of.exact.f_down;
     }
     /* 1..640; 0: the light is white. Of a light that has a place x = att nl + b, |b| <= 1/2, is rounded, too: D a - D c b */
     uint32_t high = rounds ? 1 + ((uint32_t)1 << up) : 1;
     if (p->output.space == GLINT_GAMMA)
-        high = (max * most * high + 262143) >> 18;
+        high = (max * (most + 1) * high + 262143) >> 18;
     p->of.exact.high = (uint16_t)(tint ? high : 0);
     GLINT_FLASH_POINTER(p->format->fold)(p, &c, up);
     if (tint)

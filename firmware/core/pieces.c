@@ -24,20 +24,20 @@ static void send_next(struct pieces *pieces)
 {
     const volatile struct piece *piece = &pieces->queue[pieces->sent % PIECES_MAX];
     const struct panel *panel = pieces->panel;
-    const unsigned line = pieces->line, y = piece->y + line;
+    const unsigned line = pieces->line, begin = piece->y, y = begin + line;
     const uint16_t *pixels = piece->pixels + (size_t)panel->width * line;
     size_t count = (size_t)panel->width * piece->lines;
     pieces->is_sending = true;
     if (panel->round) {
-        const unsigned first = line && y - y % PANEL_BAND > piece->y ? y - y % PANEL_BAND : piece->y;
-        const unsigned in_piece = piece->y + piece->lines - first, in_band = panel_band(panel, first);
+        const unsigned band = y - y % PANEL_BAND, first = band > begin ? band : begin;
+        const unsigned in_piece = begin + piece->lines - first, in_band = panel_band(panel, first);
         const unsigned lines = in_band < in_piece ? in_band : in_piece;
         const struct panel_columns seen = panel_visible(panel, first, lines);
         if (y == first && !panel_window(panel, seen.first, (uint16_t)y, seen.count, (uint16_t)lines))
             pieces->has_failed = true;
         pixels += seen.first;
         count = seen.count;
-    } else if (piece->y == 0 && !panel_window(panel, 0, 0, panel->width, panel->height)) {
+    } else if (begin == 0 && !panel_window(panel, 0, 0, panel->width, panel->height)) {
         pieces->has_failed = true;
     }
     pieces->hal->flush(pieces->hal->context, pixels, count, on_sent, pieces);

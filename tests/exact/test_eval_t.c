@@ -3,7 +3,8 @@
  *   - tests/proof: error bounds, and an exact decision where they do not settle the rounding, for every t and n;
  *   - here more than 10^9 values against the oracle: every n at random t (uniform and logarithmic), dense runs at the
  *     ends and at the cutoffs, and both sides of 10^6 places where the result steps, found by bisection;
- *   - test_eval.c: all 65,537,000 arguments that are also cosines. */
+ *   - test_eval.c: all 65,537,000 arguments that are also cosines.
+ * EXACT_EVERY=K: every K-th n and every K-th t, as make check has it. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -41,21 +42,30 @@ static bool wrong_at(enum glint_model model, uint32_t n, uint32_t t)
 /* Values at `per_n` random t for each n. */
 static long count_random(enum glint_model model, uint32_t per_n)
 {
+    const uint32_t every = exact_every();
     long wrong = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
-    for (uint32_t n = 1; n <= N; n++)
-        for (uint32_t i = 0; i < per_n; i++)
+    for (uint32_t n = 1; n <= N; n += every)
+        for (uint32_t i = 0; i < per_n; i += every)
             wrong += wrong_at(model, n, random_t(((uint64_t)model << 56) + ((uint64_t)n << 40) + i));
     return wrong;
+}
+
+/* How many that is of so many t for each n. */
+static long of_each(uint32_t per_n)
+{
+    const uint32_t every = exact_every();
+    return (long)((per_n + every - 1) / every) * (long)((N + every - 1) / every);
 }
 
 /* Every t of `length` at 0, at the cutoffs q = 8 and 16, and at 1; a value that rises with t is wrong too. */
 static long count_dense(enum glint_model model, uint32_t length)
 {
     bool (*const rounds_to)(uint32_t n, uint32_t u, uint32_t f) = oracles[model]->rounds_to;
+    const uint32_t every = exact_every();
     long wrong = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
-    for (uint32_t n = 1; n <= N; n++) {
+    for (uint32_t n = 1; n <= N; n += every) {
         const uint32_t middle[4] = {0, glint_cutoff_t(model, n, 8), glint_cutoff_t(model, n, 16), ONE_T};
         for (int i = 0; i < 4; i++) {
             uint32_t from = middle[i] > length / 2 ? middle[i] - length / 2 : 0;
@@ -74,10 +84,11 @@ static long count_dense(enum glint_model model, uint32_t length)
 /* Where the result falls from f or more to less: the last t with F >= f, and the one after. */
 static long count_steps(enum glint_model model, uint32_t per_n)
 {
+    const uint32_t every = exact_every();
     long wrong = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
-    for (uint32_t n = 1; n <= N; n++) {
-        for (uint32_t i = 0; i < per_n; i++) {
+    for (uint32_t n = 1; n <= N; n += every) {
+        for (uint32_t i = 0; i < per_n; i += every) {
             const uint32_t f = 1 + (uint32_t)(mix(((uint64_t)n << 32) + i) % 65536);
             uint32_t t = 0; /* F(0) >= f */
             for (uint32_t bit = ONE_T / 2; bit; bit >>= 1)
@@ -95,18 +106,18 @@ static void check_rational(const char *name, enum glint_model model)
     const uint32_t per_n = 250000;
     const long random = count_random(model, per_n), dense = count_dense(model, DENSE);
     const long steps = count_steps(model, STEPS);
-    printf("# %s from t: %ld wrong of %ld random, %ld of %d in dense runs, %ld of %d where it steps\n", name, random,
-           (long)per_n * N, dense, 4 * DENSE * N, steps, 2 * STEPS * N);
+    printf("# %s from t: %ld wrong of %ld random, %ld of %ld in dense runs, %ld of %ld where it steps\n", name, random,
+           of_each(per_n), dense, 4 * DENSE * of_each(1), steps, 2 * of_each(STEPS));
     assert_int_equal(random + dense + steps, 0);
 }
 
 static void check_power(const char *name, enum glint_model model)
 {
     enum { DENSE = 512 };
-    const uint32_t count = 125000;
+    const uint32_t count = 125000, every = exact_every() * exact_every();
     long far = 0, not_nearest = 0;
 #pragma omp parallel for schedule(dynamic, 64) reduction(+ : far, not_nearest)
-    for (uint32_t i = 0; i < count; i++) {
+    for (uint32_t i = 0; i < count; i += every) {
         const uint32_t t = random_t(((uint64_t)model << 56) + i);
         struct oracle_chain chain;
         for (oracles[model]->chain(&chain, ONE_T - t);; oracle_chain_next(&chain)) {
@@ -119,8 +130,9 @@ static void check_power(const char *name, enum glint_model model)
         mpfr_free_cache();
     }
     const long rising = count_dense(model, DENSE);
-    printf("# %s from t: %ld farther than .501 ulp, %ld not the nearest, of %ld random; %ld rise of %d in dense runs\n",
-           name, far, not_nearest, (long)count * N, rising, 4 * DENSE * N);
+    printf(
+        "# %s from t: %ld farther than .501 ulp, %ld not the nearest, of %ld random; %ld rise of %ld in dense runs\n",
+        name, far, not_nearest, (long)((count + every - 1) / every) * N, rising, 4 * DENSE * of_each(1));
     assert_int_equal(far + rising, 0);
 }
 

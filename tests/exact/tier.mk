@@ -65,7 +65,7 @@ check-exact:
 	@+if tests/missing "$(CC)" "" "" $(EXACT_CHECK) >/dev/null; then $(SUBMAKE) run-check-exact; \
 	else tests/tally "echo ok 1 - tier exact # SKIP cmocka, gmp or mpfr is not installed: make setup-exact"; fi
 
-EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval cutoff pixel grain unit unit_wide reach reach_wide lights lights_wide)
+EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval eval_t cutoff pixel grain unit unit_wide reach reach_wide lights lights_wide)
 exact-quick-programs: $(EXACT_QUICK)
 run-check-exact: exact-quick-programs
 	@EXACT_EVERY=21 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) tests/tally $(EXACT_QUICK) tests/exact/test_tables

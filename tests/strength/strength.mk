@@ -7,7 +7,7 @@ STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-upda
 STRENGTH_TRAPS = -O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error
 # What programs have to say about their counters goes there, not among the messages that tests read.
 STRENGTH_ERRORS = GCOV_ERROR_FILE="$(CURDIR)/build/coverage/errors.log"
-STRENGTH_EXACT = $(addprefix tests/exact/test_,eval cutoff grain pixel unit reach lights)
+STRENGTH_EXACT = $(addprefix tests/exact/test_,eval eval_t cutoff grain pixel unit reach lights)
 STRENGTH_UNIT = $(patsubst %.c,%,$(wildcard tests/unit/lib/test_*.c tests/unit/firmware/test_*.c))
 # How many mutants, and which: another seed chooses others.
 STRENGTH_MUTANTS = $(or $(MUTANTS),440)

@@ -35,10 +35,12 @@ static void a_mode_keeps_every_byte_on_the_wire(void **state)
     (void)state;
     const struct gud_mode mode = {0x01020304, 0x0506, 0x0708, 0x090a, 0x0b0c,
                                   0x0d0e,     0x0f10, 0x1112, 0x1314, 0x15161718};
-    uint8_t bytes[GUD_MODE_BYTES];
+    uint8_t bytes[GUD_MODE_BYTES + 1];
+    bytes[GUD_MODE_BYTES] = 0xee; /* another's */
     gud_mode_pack(bytes, &mode);
+    assert_int_equal(bytes[GUD_MODE_BYTES], 0xee);
     assert_memory_equal(bytes, "\4\3\2\1\6\5\x08\7\x0a\x09\x0c\x0b\x0e\x0d\x10\x0f\x12\x11\x14\x13\x18\x17\x16\x15",
-                        sizeof bytes);
+                        GUD_MODE_BYTES);
     struct gud_mode again;
     gud_mode_unpack(&again, bytes);
     assert_int_equal(again.flags, mode.flags);

@@ -186,6 +186,20 @@ static void a_refusal_now_and_then_is_overlooked(void **state)
     assert_true(samples > 60 && losses == 0);
 }
 
+/* As a part in distress needs, and another on its bus. */
+static void after_a_refusal_the_bus_rests_for_a_period(void **state)
+{
+    (void)state;
+    start(WELL);
+    run(100);
+    device.fault = ABSENT;
+    device.transfers = 0;
+    run(3); /* less than a period */
+    assert_in_range(device.transfers, 0, 1);
+    run(10);
+    assert_in_range(device.transfers, 1, 4);
+}
+
 static void what_no_hand_does_for_a_second_and_samples_that_never_change_are_told(void **state)
 {
     (void)state;
@@ -265,6 +279,7 @@ int main(void)
         cmocka_unit_test(one_that_is_not_there_or_is_another_is_told_once_and_found_when_it_comes),
         cmocka_unit_test(a_transfer_that_never_ends_is_given_up_within_two_milliseconds),
         cmocka_unit_test(a_refusal_now_and_then_is_overlooked),
+        cmocka_unit_test(after_a_refusal_the_bus_rests_for_a_period),
         cmocka_unit_test(what_no_hand_does_for_a_second_and_samples_that_never_change_are_told),
         cmocka_unit_test(one_that_needs_1_75_seconds_after_power_up_is_not_told_as_lost),
         cmocka_unit_test(a_bus_that_is_held_at_first_is_freed_and_not_told),

@@ -254,6 +254,28 @@ static void a_span_that_cannot_be_is_refused(void **state)
     assert_int_equal(glint_span_init(&span, &paint, &up, &up, 0), GLINT_OK);
 }
 
+/* |N.L| <= 2^31 - 1 - 2^13 of 2^30 = 1.0, by vectors that are far from unit length. */
+static void a_span_takes_n_l_up_to_2_less_2_to_minus_17(void **state)
+{
+    (void)state;
+    static const struct {
+        struct glint_vec l, n;
+    } last[] = {{{-32768, -32768, 1}, {-32768, -32767, 24575}}, {{-32768, -32768, -3}, {32767, 32767, 19114}}};
+    const int32_t front[3] = {0, 0, 1};
+    struct glint_paint paint = any_paint();
+    struct glint_span span;
+    assert_int_equal(light_from(&paint, front, front), GLINT_OK);
+    for (unsigned i = 0; i < 2; i++) {
+        struct glint_vec n = last[i].n;
+        paint.l = last[i].l;
+        paint.h = n;
+        assert_int_equal(glint_span_init(&span, &paint, &n, &n, 4), GLINT_OK);
+        n.z++;
+        assert_int_equal(glint_span_init(&span, &paint, &n, &last[i].n, 4), GLINT_ERR_VECTOR);
+        assert_int_equal(glint_span_init(&span, &paint, &last[i].n, &n, 4), GLINT_ERR_VECTOR);
+    }
+}
+
 static double decode(double e)
 {
     return e <= 0.04045 ? e / 12.92 : pow((e + 0.055) / 1.055, 2.4);
@@ -325,6 +347,7 @@ int main(void)
         cmocka_unit_test(a_span_follows_its_quadratic_within_the_stated_error),
         cmocka_unit_test(a_span_takes_the_longest_normals),
         cmocka_unit_test(a_span_that_cannot_be_is_refused),
+        cmocka_unit_test(a_span_takes_n_l_up_to_2_less_2_to_minus_17),
         cmocka_unit_test(srgb_decoding_is_correctly_rounded),
         cmocka_unit_test(srgb_encoding_is_monotone_and_within_its_stated_error),
         cmocka_unit_test(srgb_encoding_is_what_its_sequence_says),

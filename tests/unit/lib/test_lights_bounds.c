@@ -114,7 +114,7 @@ static void assert_sums(const struct look *look, unsigned count, uint32_t color,
     }
     assert_int_equal(glint_paint_light(&paint, lights, count, in_front), GLINT_OK);
     const uint32_t nl = paint.of.exact.most << paint.of.exact.nl_down;
-    assert_in_range(nl, most, most + (1u << paint.of.exact.nl_down));
+    assert_in_range(nl, most, most + (1u << paint.of.exact.nl_down) - 1);
     assert_int_equal(paint.of.exact.slack, paint.of.exact.f_down ? (slack >> paint.of.exact.f_down) + 2 : slack);
 }
 
