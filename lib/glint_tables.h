@@ -121,8 +121,7 @@ uint32_t glint_last_t(const struct glint_paint *exact, bool (*shows)(const struc
 
 /* Where a channel lies in a word, and what 1.0 is there; the guard bit is the one above its top bit: set by a sum that overflows. */
 struct glint_field {
-    uint8_t at, guard;
-    uint16_t one;
+    uint16_t at, one;
 };
 /* Channel k's value for albedo, nl and F as a field's level, nearest. */
 uint32_t glint_field_level(const struct glint_paint *exact, struct glint_field field, unsigned k, uint8_t albedo,

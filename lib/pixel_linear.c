@@ -212,7 +212,7 @@ LINEAR_ALONE uint32_t linear_encode(union linear_pixel *pixels, unsigned count, 
                 entry = chords.entry;
                 bits = chords.bits;
                 const uint32_t rise = (uint32_t)(GLINT_FLASH_U16(entry[1]) - GLINT_FLASH_U16(entry[0]));
-                margin = (steps * ((rise >> bits) + 1) + 1) * max + 2;
+                margin = steps * ((rise >> bits) + 1) * max + 2;
             }
             const uint32_t found = linear_level(encoded, max, t);
             if (__builtin_expect(((found ^ (found + margin)) >> 16) == 0, 1))

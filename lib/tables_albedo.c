@@ -10,7 +10,7 @@ typedef char glint_albedo_bytes[GLINT_TABLES_ALBEDO_BYTES == GLINT_ALBEDO_LEVELS
 /* The highlight's nearest levels in RGB565, as fields (GLINT_ALBEDO_FIELDS). */
 static uint32_t albedo_shine(const struct glint_paint *exact, uint32_t f)
 {
-    static const struct glint_field fields[3] GLINT_FLASH = {{11, 16, 31}, {21, 27, 63}, {0, 5, 31}};
+    static const struct glint_field fields[3] GLINT_FLASH = {{11, 31}, {21, 63}, {0, 31}};
     uint32_t word = 0;
     for (unsigned k = 0; k < 3; k++) {
         const struct glint_field field = GLINT_FLASH_STRUCT(struct glint_field, fields[k]);

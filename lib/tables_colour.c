@@ -182,7 +182,7 @@ const struct glint_use_tables glint_use_colour_maps GLINT_FLASH = COLOUR_USE(gli
 enum { DITHER_SHINES = 1 << GLINT_DITHER_COLUMNS_LOG };
 typedef char glint_dither_bytes[GLINT_DITHER_SHINES + 4 * DITHER_SHINES == GLINT_TABLES_DITHER_BYTES ? 1 : -1];
 
-static const struct glint_field dither_fields[3] GLINT_FLASH = {{23, 32, 31 * 16}, {1, 11, 63 * 16}, {12, 21, 31 * 16}};
+static const struct glint_field dither_fields[3] GLINT_FLASH = {{23, 31 * 16}, {1, 63 * 16}, {12, 31 * 16}};
 
 /* The nearest sixteenths of a level, and b of them more: at most 15 above the largest level, which no field overflows by.
  * albedo NULL: black. */

@@ -133,6 +133,21 @@ static void msh_is_rounded_down_below_a_half_however_near(void **state)
     }
 }
 
+/* The last of 65536 is the ground's. */
+static void depths_in_parallel_are_0_to_65534(void **state)
+{
+    (void)state;
+    static const int32_t z[][2] = {{INT32_MAX, 0},  {32768, 0},        {32767, 0},      {32766, 1},
+                                   {0, 32767},      {-1, 32768},       {-32766, 65533}, {-32767, 65534},
+                                   {-32768, 65534}, {INT32_MIN, 65534}};
+    const struct glint_mesh_frame frame = {.distance = 0};
+    for (size_t i = 0; i < sizeof z / sizeof *z; i++) {
+        const struct glint_mesh_place place = {.x = 5, .y = 6, .z = z[i][0]}, found = glint_mesh_project(&frame, place);
+        assert_true(found.x == 5 && found.y == 6);
+        assert_int_equal(found.z, z[i][1]);
+    }
+}
+
 static void a_cosine_beyond_1_counts_as_1_and_a_negative_one_as_none(void **state)
 {
     (void)state;
@@ -156,6 +171,7 @@ int main(void)
         cmocka_unit_test(a_pose_turns_by_the_nearest_matrix_of_14_bits),
         cmocka_unit_test(cayley_is_rounded_to_nearest_where_only_its_exact_power_decides),
         cmocka_unit_test(msh_is_rounded_down_below_a_half_however_near),
+        cmocka_unit_test(depths_in_parallel_are_0_to_65534),
         cmocka_unit_test(a_cosine_beyond_1_counts_as_1_and_a_negative_one_as_none),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

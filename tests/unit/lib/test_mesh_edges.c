@@ -86,6 +86,30 @@ static void outlines_of_noise_do_not_depend_on_how_a_picture_is_cut(void **state
     }
 }
 
+/* Of all their edges, in any strip, so that most faces have theirs set when they are asked for. */
+static void more_outlines_than_a_strip_keeps_do_not_depend_on_how_a_picture_is_cut(void **state)
+{
+    (void)state;
+    static struct drawer look;
+    for (unsigned i = 0; i < 12; i++) {
+        mesh_noise(&mesh, 90, 90);
+        mesh.distance = 0;
+        mesh.pose.scale = 16 * 50;
+        mesh.pose.position[0] = mesh.pose.position[1] = mesh.pose.position[2] = 0;
+        for (unsigned v = 0; v < 90; v++) /* near the first of the face's corners */
+            for (int k = 0; k < 3; k++)
+                mesh.places[v][k] = (int16_t)(mesh.places[v - v % 3][k] / 2 + (int)(v % 3 ? below(8000) : 0));
+        for (uint16_t f = 0; f < 90; f++)
+            for (uint16_t k = 0; k < 3; k++) {
+                mesh.faces[f][k] = (uint16_t)(3 * (f / 3) + (f % 3 == 2 ? k : (2 * k) % 3));
+                mesh.neighbours[f][k] = GLINT_MESH_RIM;
+            }
+        mesh.mesh.neighbours = mesh.neighbours[0];
+        look_set(&look, &shiny, i % 2 ? GLINT_RGB565 : GLINT_RGB888, i % 2, 1);
+        assert_same_in_strips(&mesh, &look.paint, look.bytes * MESH_W);
+    }
+}
+
 static void a_picture_without_outlines_does_not_look_at_neighbours(void **state)
 {
     (void)state;
@@ -256,6 +280,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_do_not_depend_on_how_a_picture_is_cut),
         cmocka_unit_test(outlines_of_noise_do_not_depend_on_how_a_picture_is_cut),
+        cmocka_unit_test(more_outlines_than_a_strip_keeps_do_not_depend_on_how_a_picture_is_cut),
         cmocka_unit_test(a_picture_without_outlines_does_not_look_at_neighbours),
         cmocka_unit_test(outlines_leave_no_hole),
         cmocka_unit_test(a_face_of_many_cells_is_drawn_in_pieces),

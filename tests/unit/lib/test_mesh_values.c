@@ -4,6 +4,7 @@
 
 #include "glint_mesh_pose.h"
 #include "glint_mesh_strip.h"
+#include "glint_mesh_texture.h"
 
 static unsigned bits_of(uint64_t x)
 {
@@ -300,6 +301,26 @@ static void a_number_across_a_triangle_is_held_between_its_corners(void **state)
     }
 }
 
+/* Where it would leave them, a line of 5 pixels has the nearest colour there is; where it reaches the last one, it changes. */
+static void a_colour_is_held_to_what_there_is(void **state)
+{
+    (void)state;
+    for (unsigned k = 0; k < 3; k++) {
+        const uint32_t end = (k == 1 ? 64u : 32u) << 21, last = end - 1;
+        const struct {
+            uint32_t now, step, held, held_step;
+        } cases[] = {{0, 0, 0, 0},      {last, 0, last, 0},        {last - 4, 1, last - 4, 1}, {end - 4, 1, end - 4, 0},
+                     {end, 0, last, 0}, {4, 0u - 1, 4, 0u - 1},    {3, 0u - 1, 3, 0},          {0u - 1, 0, 0, 0},
+                     {0u - 4, 1, 0, 0}, {end + 9, 0u - 9, last, 0}};
+        for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+            uint32_t now = cases[i].now, step = cases[i].step;
+            glint_mesh_hold(&now, &step, k, 4);
+            assert_int_equal(now, cases[i].held);
+            assert_int_equal(step, cases[i].held_step);
+        }
+    }
+}
+
 /* w1 and w2 of sequence.md: what is not cut keeps all of its own, and of the two others nothing. */
 static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
 {
@@ -426,6 +447,7 @@ int main(void)
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
+        cmocka_unit_test(a_colour_is_held_to_what_there_is),
         cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
         cmocka_unit_test(any_one_corner_of_a_face_may_be_beyond_the_guard_band),
     };

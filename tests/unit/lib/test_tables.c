@@ -171,8 +171,8 @@ static void what_cannot_be_packed_is_0_and_unpacks_to_no_surface(void **state)
         const struct glint_vec back = glint_normals_unpack((enum glint_normals)format, 0x7fff7fff);
         assert_int_equal(is_surface(back), is_packed);
     }
-    static const uint32_t runs[] = {0, 1, 9, 0x7fff};
-    for (int i = 0; i < 4; i++) {
+    static const uint32_t runs[] = {0, 1, 9, 0x7fff, 0x8000, 0xffff};
+    for (int i = 0; i < 6; i++) {
         const struct glint_vec back = glint_normals_unpack(GLINT_NORMALS_INT8, runs[i]);
         assert_memory_equal(&back, &none, sizeof none);
     }
