@@ -46,8 +46,8 @@ static void albedo_fill(struct glint_tables *tables, const struct glint_paint *e
 
 static enum glint_err albedo_can(const struct glint_material *m, const struct glint_output *output)
 {
-    for (int k = 0; k < 3; k++)
-        if (m->ambient_q16[k] != m->ambient_q16[0] || m->diffuse_q16[k] != m->diffuse_q16[0])
+    for (int k = 1; k < 3; k++)
+        if (m->ambient_q16[k] != m->ambient_q16[k - 1] || m->diffuse_q16[k] != m->diffuse_q16[k - 1])
             return GLINT_ERR_ARG;
     if (m->ambient_q16[0] > 65536 || m->diffuse_q16[0] > 65536 - m->ambient_q16[0])
         return GLINT_ERR_ARG;

@@ -436,7 +436,9 @@ static void no_light_is_given_to_a_panel_that_is_a_hosts_nor_one_without_a_direc
     (void)state;
     assert_true(!give(1, 1, 2, 3) && status() == GUD_PARAMETER);
     assert_true(!give(0, 0, 0, 0) && status() == GUD_PARAMETER);
-    assert_true(!give(0, 0, 0, -1) && status() == GUD_PARAMETER); /* straight from behind */
+    assert_true(!give(0, 0, 0, -1) && status() == GUD_PARAMETER);            /* straight from behind */
+    assert_true(!give(0, 64, -64, -(1 << 30)) && status() == GUD_PARAMETER); /* 2^-24 beside it, and a little more */
+    assert_true(give(0, 65, 0, -(1 << 30)));
     assert_true(!give(0, 1, 0, INT32_MIN) && status() == GUD_PARAMETER);
     assert_true(give(0, 0, 0, 1) && give(0, 0, 1, -1) && give(0, 1, 0, -(1 << 23)) && give(0, 1, 0, 0));
     light_device_reset(&device);

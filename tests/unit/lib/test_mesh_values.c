@@ -205,6 +205,22 @@ static void a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_be
     assert_int_equal(glint_mesh_shine(corner, t_end), GLINT_MESH_DARK);
 }
 
+/* |a - b|^2 / 2 of its normals is 2^29 there: what is flat does not change across the triangle. */
+static void a_glossy_triangle_is_flat_where_its_normals_are_more_than_90_degrees_apart(void **state)
+{
+    (void)state;
+    const struct glint_mesh_vertex v[3] = {
+        {100, 100, 5, 0, 1 << 20, 0}, {900, 150, 5, 0, 1 << 21, 1 << 28}, {300, 800, 5, 0, 1 << 22, 1 << 29}};
+    for (unsigned i = 0; i < 3; i++)
+        for (uint32_t beyond = 0; beyond < 2; beyond++) {
+            struct glint_mesh_corner corner[3] = {{&v[0], 1 << 20}, {&v[1], 1 << 20}, {&v[2], 1 << 20}};
+            struct glint_mesh_triangle triangle;
+            corner[i].side = (UINT32_C(1) << 29) + beyond;
+            assert_true(glint_mesh_triangle_set(&triangle, corner, GLINT_MESH_GLOSSY, UINT32_MAX));
+            assert_int_equal(triangle.values.nlx == 0, beyond);
+        }
+}
+
 static struct made_mesh mesh;
 
 /* One face whose corners have the normal n, drawn with the look over pixels of 0. */
@@ -444,6 +460,7 @@ int main(void)
         cmocka_unit_test(t_of_a_triangle_is_2_where_nothing_of_it_can_shine),
         cmocka_unit_test(no_pixel_of_a_matt_triangle_lies_in_the_highlight),
         cmocka_unit_test(a_triangle_is_matt_from_2_to_the_29_beyond_the_highlight_and_dark_behind),
+        cmocka_unit_test(a_glossy_triangle_is_flat_where_its_normals_are_more_than_90_degrees_apart),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),

@@ -63,6 +63,11 @@ static void what_tables_cannot_be_filled_for_is_refused_and_nothing_is_written(v
     look = look_for(GLINT_RGB565);
     make_grey(&look, 65537, 0); /* an albedo is scaled by 1 at most */
     assert_int_equal(glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, m, o, memory, sizeof memory), GLINT_ERR_ARG);
+    for (int k = 0; k < 6; k++) { /* and by one number in all channels */
+        make_grey(&look, 20000, 30000);
+        (k < 3 ? look.material.ambient_q16 : look.material.diffuse_q16)[k % 3]++;
+        assert_int_equal(glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, m, o, memory, sizeof memory), GLINT_ERR_ARG);
+    }
     assert_int_equal(memory[0], 0);
     assert_memory_equal(&paint, &before, sizeof paint);
 }
