@@ -142,6 +142,44 @@ static void cones_of_spots_are_mostly_decided_in_32_bits(void **state)
     assert_in_range(slow, 500, 1500);
 }
 
+/* Of MSH, whose quick form may be 1 low, at a coefficient that makes that as much as W has room for. */
+static void what_32_bits_decide_of_linear_grey_is_what_64_bits_find(void **state)
+{
+    (void)state;
+    unsigned decided = 0;
+    for (int i = 0; i < 20000; i++) {
+        struct look look = bare(GLINT_GREY8);
+        struct glint_sample samples[GLINT_RUN], sums[GLINT_RUN];
+        struct glint_paint paint;
+        uint8_t found[GLINT_RUN], exact[GLINT_RUN];
+        set_model(&look, GLINT_MSH, (uint16_t)(1 + below(200)), 12);
+        look.output.space = GLINT_LINEAR;
+        for (int k = 0; k < 3; k++) {
+            look.material.ambient_q16[k] = below(2000);
+            look.material.diffuse_q16[k] = below(4000);
+            look.material.specular_q16[k] = 32768 + below(32768);
+        }
+        paint_of(&paint, &look);
+        const struct glint_run run = {.line = found, .format = paint.format},
+                               to = {.line = exact, .format = paint.format};
+        for (unsigned p = 0; p < GLINT_RUN; p++) {
+            samples[p] = (struct glint_sample){.t_q30 = below(paint.of.exact.t_end), .nl_q16 = below(65537)};
+            const uint32_t f = glint_eval_t(GLINT_MSH, look.material.n, samples[p].t_q30);
+            sums[p] = (struct glint_sample){samples[p].t_q30, samples[p].nl_q16,
+                                            f < paint.of.exact.f_max ? f : paint.of.exact.f_max};
+        }
+        paint.model->run(&paint, samples, GLINT_RUN);
+        const uint32_t open = paint.format->levels(&paint, &run, samples, GLINT_RUN);
+        for (unsigned p = 0; p < GLINT_RUN; p++) {
+            paint.format->exact(&paint, &to, p, &sums[p], 0);
+            if (!(open >> p & 1))
+                assert_int_equal(found[p], exact[p]);
+            decided += !(open >> p & 1);
+        }
+    }
+    assert_in_range(decided, 10000 * GLINT_RUN, 20000 * GLINT_RUN);
+}
+
 /* A line in the dark, of which every pixel is a step's. */
 static void what_steps_decide_is_not_decided_again(void **state)
 {
@@ -164,6 +202,7 @@ int main(void)
         cmocka_unit_test(msh_s_quick_form_loses_no_bit_that_it_has_room_for),
         cmocka_unit_test(srgb_rises_by_no_more_than_the_first_chord_s_steps),
         cmocka_unit_test(cones_of_spots_are_mostly_decided_in_32_bits),
+        cmocka_unit_test(what_32_bits_decide_of_linear_grey_is_what_64_bits_find),
         cmocka_unit_test(what_steps_decide_is_not_decided_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
