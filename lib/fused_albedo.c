@@ -526,9 +526,9 @@ static bool albedo_has_room(const struct glint_mesh_frame *frame, const struct g
             at < (uintptr_t)frame->places * (uintptr_t)GLINT_MESH_KEPT_BYTES);
 }
 
-/* One that has none is copied. Alone, for the stack. */
+/* One that has none is copied; below the strip it goes on from where it was. Alone, for the stack. */
 static __attribute__((noinline)) void albedo_copied(const struct glint_tables *tables,
-                                                    struct glint_mesh_triangle *triangle,
+                                                    const struct glint_mesh_triangle *triangle,
                                                     const struct glint_mesh_target *target,
                                                     const struct glint_texture *texture)
 {
@@ -538,8 +538,6 @@ static __attribute__((noinline)) void albedo_copied(const struct glint_tables *t
     copy->shine &= GLINT_MESH_LAID - 1;
     bench->copy.face = (uint16_t)glint_mesh_face_of(triangle);
     albedo_draw(tables, copy, target, texture);
-    copy->shine &= GLINT_MESH_LAID - 1;
-    *triangle = *copy;
 }
 
 void glint_mesh_albedo_lines(const struct glint_tables *tables, struct glint_mesh_triangle *triangle,
