@@ -52,7 +52,7 @@ void glint_paint_fold(struct glint_paint *p, bool rounds)
     struct glint_coefficients c;
     const uint32_t peak = glint_paint_peak(p), max = GLINT_FLASH_U8(glint_formats[p->output.format].max[1]);
     unsigned up = 0;
-    uint32_t most = 0, tint = 0; /* most: D + S, < 2^17 */
+    uint32_t most = 0, tint = 0; /* most: D + S, <= 2^17 */
     while (peak > (uint32_t)65536 << up)
         up++;
     for (unsigned k = 0; k < 3; k++) {
