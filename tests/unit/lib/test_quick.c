@@ -195,6 +195,29 @@ static void what_steps_decide_is_not_decided_again(void **state)
     assert_int_equal(paint.format->levels(&paint, &run, samples, COUNT), 0);
 }
 
+static const struct glint_use_format *plain_format;
+
+static uint32_t levels_of_two(const struct glint_paint *paint, const struct glint_run *run,
+                              const struct glint_sample *samples, unsigned count)
+{
+    assert_int_equal(count, 2); /* there is room for no more */
+    return plain_format->levels(paint, run, samples, count);
+}
+
+static void a_step_is_found_by_the_two_pixels_at_its_ends(void **state)
+{
+    (void)state;
+    static uint16_t steps[GLINT_STEPS_BYTES / 2];
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_paint paint;
+    paint_of(&paint, &look);
+    plain_format = paint.format;
+    struct glint_use_format asked = *paint.format;
+    asked.levels = levels_of_two;
+    paint.format = &asked;
+    assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_OK);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -203,6 +226,7 @@ int main(void)
         cmocka_unit_test(srgb_rises_by_no_more_than_the_first_chord_s_steps),
         cmocka_unit_test(cones_of_spots_are_mostly_decided_in_32_bits),
         cmocka_unit_test(what_32_bits_decide_of_linear_grey_is_what_64_bits_find),
+        cmocka_unit_test(a_step_is_found_by_the_two_pixels_at_its_ends),
         cmocka_unit_test(what_steps_decide_is_not_decided_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
