@@ -284,7 +284,7 @@ enum glint_err glint_draw_palette(const uint16_t *colours, const uint16_t *offse
     if (!colours || !offsets || !target || !target->pixels || GLINT_MISALIGNED(colours, 16) ||
         GLINT_MISALIGNED(offsets, 16) || GLINT_MISALIGNED(target->pixels, 16) ||
         (h > 1 && (GLINT_MISALIGNED(stride, 16) || GLINT_MISALIGNED(target->stride, 16) ||
-                   !glint_stride_fits(stride, 2u * w) || !glint_stride_fits(target->stride, 2u * w))))
+                   !glint_stride_fits(stride, UINT32_C(2) * w) || !glint_stride_fits(target->stride, UINT32_C(2) * w))))
         return GLINT_ERR_ARG;
     for (uint16_t y = 0; y < h; y++) {
         const uint16_t *in = (const uint16_t *)(const void *)((const uint8_t *)offsets + stride * (ptrdiff_t)y);

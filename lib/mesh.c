@@ -177,7 +177,8 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
                               const struct glint_paint *paints, void *memory, size_t bytes)
 {
     if (!frame || !drawn || !mesh || !pose || !paints || !memory || GLINT_MISALIGNED(memory, 32) ||
-        !mesh_has_room(frame, drawn) || bytes < glint_mesh_bytes(mesh, frame->h) || !mesh_can(frame, mesh, paints))
+        !mesh->vertex_count || !mesh_has_room(frame, drawn) || bytes < glint_mesh_bytes(mesh, frame->h) ||
+        !mesh_can(frame, mesh, paints))
         return GLINT_ERR_ARG;
     if (!glint_pose_set(drawn, pose, paints))
         return GLINT_ERR_VECTOR;

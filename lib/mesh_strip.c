@@ -7,6 +7,13 @@
 #include "glint_mesh_triangle.h"
 #include "glint_port.h"
 
+/* Depths are cleared two at a time. */
+#ifdef __GNUC__
+typedef uint32_t __attribute__((may_alias)) depth_word;
+#else
+typedef uint32_t depth_word;
+#endif
+
 /* A list to which entries are added at its end. */
 struct tail {
     uint16_t first, *last;
@@ -222,8 +229,9 @@ void glint_mesh_forget(struct glint_mesh_frame *frame, struct glint_mesh_drawn *
 /* Sixteen at a time. By what looks like a change of it compilers do not call memset, which on small machines often goes byte by byte. */
 void glint_mesh_clear(uint16_t *depth, uint32_t bytes)
 {
-    uint32_t *at = (uint32_t *)(void *)depth, far = UINT32_MAX;
-    const uint32_t *const end = at + bytes / 4;
+    depth_word *at = (depth_word *)(void *)depth;
+    uint32_t far = UINT32_MAX;
+    const depth_word *const end = at + bytes / 4;
 #if GLINT_THUMB2
     while (end - at >= 16)
         __asm__("mov r2, %1\n\t"

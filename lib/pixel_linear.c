@@ -256,8 +256,8 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, bool has_levels, uin
         const uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
         const uint32_t found = linear_found(p, run, i, k, x);
         /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P (and whose
-         * samples lie before). */
-        if ((sample->nl_q16 || glint_format_is_grey(p->output.format)) && linear_found(p, run, i, k, most) != found)
+         * samples lie before: none is read here). */
+        if ((glint_format_is_grey(p->output.format) || sample->nl_q16) && linear_found(p, run, i, k, most) != found)
             open |= (uint32_t)1 << i;
         at->levels[k] = (uint8_t)found;
     }

@@ -11,14 +11,15 @@ $(BUILD)/tests/exact/%.o: tests/exact/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) $(EXACT_CFLAGS) -c $< -o $@
 
-# The same tests of what products of 64 bits find, as on Cortex-M3 and later.
+# The same tests of what products of 64 bits find, as on Cortex-M3 and later, where sums of lights are laid out otherwise: with sanitizers.
+EXACT_WIDE_FLAGS = -DGLINT_WIDE=1 -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all
 $(BUILD)/tests/exact/test_%_wide.o: tests/exact/test_%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) $(EXACT_CFLAGS) -DGLINT_WIDE=1 -c $< -o $@
+	$(CC) $(EXACT_CFLAGS) $(EXACT_WIDE_FLAGS) -c $< -o $@
 
 $(BUILD)/tests/exact/wide/%.o: lib/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(CC) $(EXACT_CFLAGS) -DGLINT_WIDE=1 -c $< -o $@
+	$(CC) $(EXACT_CFLAGS) $(EXACT_WIDE_FLAGS) -c $< -o $@
 
 $(BUILD)/tests/exact/host/%.o: host/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -32,6 +33,7 @@ $(BUILD)/tests/exact/test_unit_wide: $(addprefix $(BUILD)/tests/exact/,reference
 $(BUILD)/tests/exact/test_reach_wide $(BUILD)/tests/exact/test_lights_wide: $(addprefix $(BUILD)/tests/exact/,cases.o reference_lights.o reference_pixel.o)
 EXACT_WIDE = $(patsubst lib/%.c,$(BUILD)/tests/exact/wide/%.o,$(wildcard lib/*.c))
 $(addprefix $(BUILD)/tests/exact/test_,unit_wide reach_wide lights_wide): $(EXACT_WIDE)
+$(addprefix $(BUILD)/tests/exact/test_,unit_wide reach_wide lights_wide): HOST_LDFLAGS += -fsanitize=address,undefined
 EXACT_ORACLES = $(patsubst tests/exact/%.c,$(BUILD)/tests/exact/%.o,$(wildcard tests/exact/oracle*.c))
 # The folder is a prerequisite so that a removed oracle leaves the programs, too.
 $(EXACT_TESTS): %: %.o $(EXACT_ORACLES) $(BUILD)/libglint.a tests/exact

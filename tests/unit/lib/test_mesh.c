@@ -364,6 +364,9 @@ static void wrong_arguments_are_refused_and_nothing_is_drawn(void **state)
     assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 0, depths, need), GLINT_OK);
     assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, mesh_need - 1),
                      GLINT_ERR_ARG);
+    bad = mesh.mesh;
+    bad.vertex_count = 0;
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &bad, &mesh.pose, &paint, work, sizeof work), GLINT_ERR_ARG);
     struct glint_pose no_turn = mesh.pose;
     memset(no_turn.turn, 0, sizeof no_turn.turn);
     assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &no_turn, &paint, work, mesh_need), GLINT_ERR_VECTOR);
