@@ -80,7 +80,7 @@ static uint32_t riscv_draw(struct glint_line_loop *loop, uint32_t x)
         const int32_t nx = normal->x, ny = normal->y, nz = normal->z;
         const int32_t dot = (((nx * lx + ny * ly + nz * lz) >> 13) + 1) >> 1;
         if (dot <= 0) {
-            *out = (uint16_t)RISCV_READ(dark);
+            *out = RISCV_READ(dark);
             continue;
         }
         const uint32_t nl = riscv_least((uint32_t)dot, 65536);

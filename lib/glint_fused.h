@@ -169,7 +169,7 @@ struct glint_line_loop {
     uint32_t up, factor, addend, below, two_fifths, high, f_max; /* MSH's: riscv_msh */
     const uint8_t *reciprocals;
     bool swapped;
-    uint32_t dark; /* the pixel where N.L <= 0, in memory order; the caller's to set */
+    uint16_t dark; /* the pixel where N.L <= 0, in memory order; the caller's to set */
     /* of the line: the caller */
     uint8_t *out; /* of pixel 0; aligned to 2 */
     uint32_t w;

@@ -144,10 +144,16 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
     return true;
 }
 
-/* Pixels beyond which a mesh draws none: those that its vertices lie in. */
+/* Pixels beyond which a mesh draws none: those that its vertices lie in, and with outlines one before, as their walk rounds down by 1/16. */
 static void mesh_bounds(const struct glint_mesh_frame *frame, struct glint_mesh_drawn *drawn)
 {
     const struct glint_mesh_vertex *v = drawn->vertices, *const end = v + drawn->mesh->vertex_count;
+    const int32_t before = drawn->edges ? 1 : 0;
+    drawn->left = drawn->top = 0;
+    drawn->right = (int16_t)frame->w;
+    drawn->bottom = (int16_t)frame->h;
+    if (drawn->is_cut) /* of what is out x and y may be anything */
+        return;
     int32_t left = v->x, right = left, top = v->y, bottom = top;
     for (; v != end; v++) {
         left = v->x < left ? v->x : left;
@@ -155,12 +161,14 @@ static void mesh_bounds(const struct glint_mesh_frame *frame, struct glint_mesh_
         top = v->y < top ? v->y : top;
         bottom = v->y > bottom ? v->y : bottom;
     }
-    drawn->left = (int16_t)(drawn->is_cut || left < 0 ? 0 : left >> 4);
-    drawn->top = (int16_t)(drawn->is_cut || top < 0 ? 0 : top >> 4);
+    left = (left - before) >> 4;
+    top = (top - before) >> 4;
     right = (right >> 4) + 1;
     bottom = (bottom >> 4) + 1;
-    drawn->right = (int16_t)(drawn->is_cut || right > frame->w ? frame->w : right);
-    drawn->bottom = (int16_t)(drawn->is_cut || bottom > frame->h ? frame->h : bottom);
+    drawn->left = (int16_t)(left < 0 ? 0 : left);
+    drawn->top = (int16_t)(top < 0 ? 0 : top);
+    drawn->right = (int16_t)(right > frame->w ? frame->w : right);
+    drawn->bottom = (int16_t)(bottom > frame->h ? frame->h : bottom);
 }
 
 /* Was the picture begun, and what is added not in it yet? */
@@ -194,12 +202,12 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
     drawn->is_cut = glint_mesh_vertices(frame, drawn);
     for (unsigned i = 0; paints->light_count == 0 && i < mesh->vertex_count; i++)
         drawn->vertices[i].nl_q30 = -1; /* dark */
-    mesh_bounds(frame, drawn);
     drawn->edges = NULL;
     if (frame->outlines && mesh->neighbours)
         GLINT_FLASH_POINTER(frame->outlines->add)(frame, drawn);
     else
         glint_mesh_sort(frame, drawn, frame->y);
+    mesh_bounds(frame, drawn);
     *frame->last = drawn;
     frame->last = &drawn->next;
     return GLINT_OK;

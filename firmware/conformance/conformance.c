@@ -14,7 +14,7 @@ const struct conformance_size conformance_large = {1, 7, 3000, 1, 40, 50000};
 const struct conformance_size conformance_small = {4, 8191, 6, 4, 1, 20};
 
 /* In flash, where AVR would have copies in its RAM. */
-enum { NAME_BYTES = 50 };
+enum { NAME_BYTES = 42 };
 static const char names[CONFORMANCE_HELD][NAME_BYTES] GLINT_FLASH = {
 #define CONFORMANCE_IF_own(name) #name ": values, limits, cutoffs",
     GLINT_MODELS(CONFORMANCE_MODELS)
@@ -29,10 +29,14 @@ static const char names[CONFORMANCE_HELD][NAME_BYTES] GLINT_FLASH = {
     "exact of meshes with colours",
     "exact of meshes under several lights",
     "exact of meshes with outlines",
-    "colour-int16, colour-int8, colour-span, palette",
-    "colour-int16, colour-int8, colour-span, dithered",
+    "exact of meshes with textures",
+    "exact of meshes with grain",
+    "tables under a light",
+    "colour-int16, -int8, -span, palette",
+    "colour-int16, -int8, -span, dithered",
     "colour of meshes",
     "albedo of meshes with colours",
+    "albedo of meshes with textures",
     "colour and albedo of meshes with outlines",
     "albedo-int16, albedo-int8, albedo-span",
     "MSH and Schlick, every c, n = 1",
@@ -56,6 +60,11 @@ bool conformance_fits(unsigned check)
 {
     if (check >= CONFORMANCE_HELD)
         return false;
+    if (CONFORMANCE_ALBEDO_ONLY)
+        return check == CONFORMANCE_TABLES_LIT || check == CONFORMANCE_MESHES_ALBEDO_TABLES ||
+               check == CONFORMANCE_MESHES_TEXTURED_TABLES;
+    if (check == CONFORMANCE_TABLES_LIT)
+        return CONFORMANCE_TABLES;
     if (check >= CONFORMANCE_COLOURS && check <= CONFORMANCE_ALBEDO)
         return CONFORMANCE_TABLES;
     return check < CONFORMANCE_EVERY_C_1 || CONFORMANCE_EVERY_C;
@@ -67,7 +76,15 @@ bool conformance_fits(unsigned check)
 uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
 {
     conform_begin();
-    if (check < CONFORMANCE_LOBES)
+    if (check == CONFORMANCE_TABLES_LIT && CONFORMANCE_TABLES && !CONFORMANCE_MODELS_ONLY)
+        conform_tables_lit();
+    else if (check == CONFORMANCE_MESHES_ALBEDO_TABLES && !CONFORMANCE_MODELS_ONLY)
+        conform_mesh_by_albedo(size, false);
+    else if (check == CONFORMANCE_MESHES_TEXTURED_TABLES && !CONFORMANCE_MODELS_ONLY)
+        conform_mesh_by_albedo(size, true);
+    else if (CONFORMANCE_ALBEDO_ONLY)
+        ;
+    else if (check < CONFORMANCE_LOBES)
         conform_model(check, size);
     else if (CONFORMANCE_MODELS_ONLY || check == CONFORMANCE_LOBES)
         conform_lobes(size);
@@ -80,19 +97,21 @@ uint64_t conformance_hash(unsigned check, const struct conformance_size *size)
     else if (check == CONFORMANCE_MESHES)
         conform_meshes(size, false);
     else if (check == CONFORMANCE_MESHES_ALBEDO)
-        conform_mesh_albedo(size, false);
+        conform_mesh_albedo(size);
     else if (check == CONFORMANCE_MESHES_LIT)
         conform_mesh_lights(size);
     else if (check == CONFORMANCE_MESHES_OUTLINED)
         conform_mesh_outlines(size, false);
+    else if (check == CONFORMANCE_MESHES_TEXTURED)
+        conform_mesh_textures(size);
+    else if (check == CONFORMANCE_MESHES_GRAINED)
+        conform_mesh_grain(size);
     else if (check == CONFORMANCE_COLOURS)
         conform_colours(size);
     else if (check == CONFORMANCE_DITHERED)
         conform_dithered(size);
     else if (check == CONFORMANCE_MESHES_COLOUR)
         conform_meshes(size, true);
-    else if (check == CONFORMANCE_MESHES_ALBEDO_TABLES)
-        conform_mesh_albedo(size, true);
     else if (check == CONFORMANCE_MESHES_OUTLINED_TABLES)
         conform_mesh_outlines(size, true);
     else if (check == CONFORMANCE_ALBEDO)

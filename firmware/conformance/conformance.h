@@ -19,6 +19,10 @@
 #ifndef CONFORMANCE_EVERY_C
 #define CONFORMANCE_EVERY_C 1
 #endif
+/* 1: tables under a light, and meshes by ALBEDO tables, alone: for machines of 128 KB of flash and 16 KB of RAM. */
+#ifndef CONFORMANCE_ALBEDO_ONLY
+#define CONFORMANCE_ALBEDO_ONLY 0
+#endif
 /* 1: models and prepared lobes alone, for machines of 32 KB of flash and 2 KB of RAM. */
 #ifndef CONFORMANCE_MODELS_ONLY
 #define CONFORMANCE_MODELS_ONLY 0
@@ -42,10 +46,14 @@ enum conformance_check {
     CONFORMANCE_MESHES_ALBEDO,
     CONFORMANCE_MESHES_LIT,
     CONFORMANCE_MESHES_OUTLINED,
-    CONFORMANCE_COLOURS, /* tables as filled, and every source that they draw */
+    CONFORMANCE_MESHES_TEXTURED,
+    CONFORMANCE_MESHES_GRAINED,
+    CONFORMANCE_TABLES_LIT, /* not filled */
+    CONFORMANCE_COLOURS,    /* tables as filled, and every source that they draw */
     CONFORMANCE_DITHERED,
     CONFORMANCE_MESHES_COLOUR,
     CONFORMANCE_MESHES_ALBEDO_TABLES,
+    CONFORMANCE_MESHES_TEXTURED_TABLES,
     CONFORMANCE_MESHES_OUTLINED_TABLES,
     CONFORMANCE_ALBEDO,
     CONFORMANCE_EVERY_C_1, /* MSH and Schlick at every c: n = 1, 2, 3, 5, 10, 60, 100, 317, 1000 */

@@ -18,7 +18,7 @@ enum {
 };
 typedef char conform_mesh_fits[CONFORM_PIXELS == WIDTH * HEIGHT ? 1 : -1];
 static int16_t places[3 * VERTICES], normals[3 * VERTICES];
-static uint16_t faces[3 * FACES], neighbours[3 * FACES];
+static uint16_t faces[3 * FACES], neighbours[3 * FACES], uv[2 * VERTICES];
 
 static int16_t any_q15(int32_t limit)
 {
@@ -72,7 +72,7 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
     conform_add((uint32_t)glint_mesh_check(mesh));
     conform_add((uint32_t)glint_mesh_begin(&frame, WIDTH, HEIGHT, STRIP, distance, &memory,
                                            look->has_lights ? sizeof memory : (size_t)MEMORY));
-    frame.outlines = mesh->neighbours ? &glint_outlines : NULL;
+    frame.outlines = mesh->neighbours && !CONFORMANCE_ALBEDO_ONLY ? &glint_outlines : NULL;
     conform_add((uint32_t)glint_mesh_add(&frame, &drawn, mesh, pose, look->paint, conform_words, sizeof conform_words));
     for (uint16_t y = 0; y < HEIGHT; y += STRIP) {
         const struct glint_surface surface = {bytes + stride * y, stride, 0, y};
@@ -85,18 +85,30 @@ static void add_picture(const struct glint_mesh *mesh, const struct glint_pose *
 void conform_mesh(unsigned kind, const struct conform_look *look, uint8_t stride)
 {
     struct glint_pose pose;
-    const struct glint_mesh mesh = {.places = places,
-                                    .normals = normals,
-                                    .faces = faces,
-                                    .vertex_count = VERTICES,
-                                    .face_count = FACES,
-                                    .of_vertices = look->of_vertices,
-                                    .of_faces = look->of_faces,
-                                    .use = &glint_use_mesh_albedo,
-                                    .neighbours = look->is_outlined ? neighbours : NULL};
+    struct glint_mesh mesh = {.places = places,
+                              .normals = normals,
+                              .faces = faces,
+                              .vertex_count = VERTICES,
+                              .face_count = FACES,
+                              .of_vertices = look->of_vertices,
+                              .of_faces = look->of_faces,
+                              .use = &glint_use_mesh_albedo,
+                              .neighbours = look->is_outlined ? neighbours : NULL};
     random_mesh(&pose, kind, &look->h);
     if (look->is_outlined)
         random_neighbours();
+    if (look->texture) {
+        mesh.textures = look->texture;
+        mesh.uv = uv;
+        mesh.uv_bits = (uint8_t)(8 + kind % 8);
+        for (uint8_t i = 0; i < 2 * VERTICES; i++)
+            uv[i] = (uint16_t)conform_random_bits();
+    }
+    if (look->has_grain && !CONFORMANCE_ALBEDO_ONLY) {
+        mesh.use_grain = &glint_use_mesh_grain;
+        for (uint8_t k = 0; k < 3; k++)
+            mesh.grain[k] = any_q15(32767);
+    }
     const uint32_t distance = conform_random_bits() % 1000;
     add_picture(&mesh, &pose, look, (uint16_t)(kind % 3 ? distance : 0), stride);
 }
@@ -114,8 +126,8 @@ static void add_mesh(unsigned model, unsigned format, unsigned kind, bool tables
     if (!tables)
         conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
     conform_light(&conform_paint, &light);
-    const struct conform_look look = {&conform_paint, conform_paint.h, NULL, NULL, model == GLINT_PHONG && kind & 1,
-                                      false};
+    const struct conform_look look = {
+        .paint = &conform_paint, .h = conform_paint.h, .has_lights = model == GLINT_PHONG && kind & 1};
     conform_mesh(kind, &look, tables && kind % 4 ? 2 * WIDTH + 2 : 4 * WIDTH);
 }
 

@@ -14,7 +14,8 @@ struct conform_look {
     struct glint_vec h;                    /* normals are about it */
     const uint8_t *of_vertices, *of_faces; /* colours */
     bool has_lights;                       /* memory for several lights */
-    bool is_outlined;
+    bool is_outlined, has_grain;
+    const struct glint_texture *texture;
 };
 /* Adds a picture of a random mesh: 0: as random as can be; else the like of models as people have them, in perspective where kind is not a
  * multiple of 3. stride: bytes of a line, up to 4 a pixel. */

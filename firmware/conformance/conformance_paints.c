@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * Random meshes whose faces or vertices have colours, under up to four lights, and with smooth outlines. A pixel of these costs thousands of cycles, so that
- * models share formats and spaces between them: one picture each. */
+ * Random meshes whose faces or vertices have colours, with textures and grain, under up to four lights, and with smooth outlines. A pixel of these costs
+ * thousands of cycles, so that models share formats and spaces between them: one picture each. */
 #include "conformance_paints.h"
 
 #include "conformance_meshes.h"
@@ -33,9 +33,33 @@ static void random_look(struct glint_material *material, struct glint_light *lig
 /* Of vertices, of faces, or none. */
 static struct conform_look look_of(bool vertices, bool faces, bool has_lights, bool is_outlined)
 {
-    const struct conform_look look = {&conform_paint,         conform_paint.h, vertices ? colours : NULL,
-                                      faces ? colours : NULL, has_lights,      is_outlined};
+    const struct conform_look look = {.paint = &conform_paint,
+                                      .h = conform_paint.h,
+                                      .of_vertices = vertices ? colours : NULL,
+                                      .of_faces = faces ? colours : NULL,
+                                      .has_lights = has_lights,
+                                      .is_outlined = is_outlined};
     return look;
+}
+
+/* With its halves, or not; of pixels or of places in a palette; smooth or not. */
+static const struct glint_texture *random_texture(unsigned kind)
+{
+    enum { SIDE = 8, PIXELS = 64 + 16 + 4 + 1, COLOURS = 16 };
+    static uint16_t pixels[PIXELS], palette[COLOURS];
+    static struct glint_texture texture;
+    for (uint8_t i = 0; i < PIXELS; i++)
+        pixels[i] = (uint16_t)conform_random_bits();
+    for (uint8_t i = 0; i < COLOURS; i++)
+        palette[i] = (uint16_t)conform_random_bits();
+    for (uint8_t i = 0; kind & 1 && i < PIXELS; i++)
+        ((uint8_t *)pixels)[i] &= COLOURS - 1;
+    texture.pixels = pixels;
+    texture.palette = kind & 1 ? palette : NULL;
+    texture.w = texture.h = SIDE;
+    texture.levels = kind & 2 ? 4 : 1;
+    texture.is_smooth = kind >> 2 & 1;
+    return &texture;
 }
 
 static void add_exact(unsigned model, unsigned kind, bool is_outlined)
@@ -50,8 +74,25 @@ static void add_exact(unsigned model, unsigned kind, bool is_outlined)
     conform_mesh(kind, &look, 4 * CONFORM_WIDTH);
 }
 
+/* With a texture, or with grain. */
+static void add_laid(unsigned model, unsigned kind, bool is_textured)
+{
+    struct glint_material material;
+    struct glint_light light;
+    struct glint_output output;
+    random_look(&material, &light, &output, model, kind);
+    material.n_across = (uint16_t)(is_textured ? 0 : 1 + conform_random_bits() % 100);
+    conform_add((uint32_t)glint_paint_exact(&conform_paint, &material, &output));
+    conform_light(&conform_paint, &light);
+    struct conform_look look = look_of(false, false, true, false);
+    look.has_grain = !is_textured;
+    look.texture = is_textured ? random_texture(kind) : NULL;
+    conform_mesh(kind, &look, 4 * CONFORM_WIDTH);
+}
+
 /* One fill for as many pictures: by vertices, by faces, clipped, at an even address or not. */
-static void add_tables(enum glint_tables_kind tables, unsigned model, unsigned format, bool is_outlined)
+static void add_tables(enum glint_tables_kind tables, unsigned model, unsigned format, bool is_outlined,
+                       bool is_textured)
 {
     struct glint_material material;
     struct glint_light light;
@@ -67,21 +108,41 @@ static void add_tables(enum glint_tables_kind tables, unsigned model, unsigned f
         return;
     conform_light(&conform_paint, &light);
     for (uint8_t kind = 0; kind < 6; kind++) {
-        const bool faces = (kind + format) & 1, is_albedo = tables == GLINT_TABLES_ALBEDO;
-        const struct conform_look look = look_of(is_albedo && !faces, is_albedo && faces, false, is_outlined);
+        const bool faces = (kind + format) & 1, is_albedo = tables == GLINT_TABLES_ALBEDO && !is_textured;
+        struct conform_look look = look_of(is_albedo && !faces, is_albedo && faces, false, is_outlined);
+        if (is_textured)
+            look.texture = random_texture(kind + format);
         conform_mesh(kind, &look, (uint8_t)(2 * CONFORM_WIDTH + kind % 3));
     }
 }
 
-void conform_mesh_albedo(const struct conformance_size *size, bool tables)
+void conform_mesh_albedo(const struct conformance_size *size)
 {
     for (uint8_t scene = 0; scene < size->scenes; scene++)
-        if (tables)
-            for (unsigned format = GLINT_RGB565; format <= GLINT_RGB565_SWAPPED; format++)
-                add_tables(GLINT_TABLES_ALBEDO, format ? GLINT_MSH : GLINT_GAUSS, format, false);
-        else
-            for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
-                add_exact(model, model + scene, false);
+        for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
+            add_exact(model, model + scene, false);
+}
+
+/* Of MSH's tables alone, for machines of little flash. */
+void conform_mesh_by_albedo(const struct conformance_size *size, bool textures)
+{
+    for (uint8_t scene = 0; scene < size->scenes; scene++)
+        for (unsigned format = GLINT_RGB565; format <= GLINT_RGB565_SWAPPED; format++)
+            add_tables(GLINT_TABLES_ALBEDO, GLINT_MSH, format, false, textures);
+}
+
+void conform_mesh_textures(const struct conformance_size *size)
+{
+    for (uint8_t scene = 0; scene < size->scenes; scene++)
+        for (unsigned kind = 0; kind < 8; kind++)
+            add_laid((kind + scene) % GLINT_MODEL_COUNT, kind, true);
+}
+
+void conform_mesh_grain(const struct conformance_size *size)
+{
+    for (uint8_t scene = 0; scene < size->scenes; scene++)
+        for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
+            add_laid(model, model + scene, false);
 }
 
 static void add_lit(unsigned model, unsigned kind, bool is_outlined)
@@ -110,8 +171,8 @@ void conform_mesh_lights(const struct conformance_size *size)
 static void add_outlined_by_tables(void)
 {
     for (unsigned format = GLINT_RGB565; format <= GLINT_RGB565_SWAPPED; format++) {
-        add_tables(GLINT_TABLES_COLOUR, format ? GLINT_MSH : GLINT_LYON, format, true);
-        add_tables(GLINT_TABLES_ALBEDO, format ? GLINT_SCHLICK : GLINT_MSH, format, true);
+        add_tables(GLINT_TABLES_COLOUR, format ? GLINT_MSH : GLINT_LYON, format, true, false);
+        add_tables(GLINT_TABLES_ALBEDO, format ? GLINT_SCHLICK : GLINT_MSH, format, true, false);
     }
 }
 

@@ -7,6 +7,32 @@
 
 #if CONFORMANCE_TABLES && !CONFORMANCE_MODELS_ONLY
 
+/* Not filled, and nothing is drawn: the paint's numbers for INT8 normals. Along the axes and beside them they have the most bits. */
+void conform_tables_lit(void)
+{
+    static const struct glint_use_tables *const uses[] = {&glint_use_colour, &glint_use_albedo};
+    const struct glint_output output = {GLINT_RGB565, GLINT_GAMMA, false};
+    struct glint_paint *const paint = &conform_paint;
+    for (uint8_t i = 0; i < 64; i++) {
+        struct glint_tables tables = {.kind = i & 1, .format = GLINT_RGB565, .n = 60, .use = uses[i & 1]};
+        struct glint_light light;
+        int32_t to_light[3] = {0, 0, 0};
+        to_light[i >> 1 & 1 ? 2 : 1] = 1000;
+        for (uint8_t k = 0; k < 3 && i > 3; k++)
+            to_light[k] += conform_random_within(i < 32 ? 40 : 900);
+        tables.t_max_q30 = conform_random_bits() >> 3;
+        tables.shift = (uint8_t)(20 + i % 8);
+        conform_add((uint32_t)glint_light_directional(&light, to_light));
+        conform_add((uint32_t)glint_paint_tables_filled(paint, &tables, &output));
+        conform_light(paint, &light);
+        conform_add((uint32_t)paint->of.tables.x);
+        conform_add((uint32_t)paint->of.tables.y);
+        conform_add((uint32_t)paint->of.tables.z);
+        conform_add((uint32_t)paint->of.tables.cut);
+        conform_add(paint->of.tables.r);
+    }
+}
+
 /* Full, none, or a part of a pixel. */
 static uint8_t soft_edged(void)
 {
@@ -17,10 +43,15 @@ static uint8_t soft_edged(void)
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output)
 {
-    static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4];
+    static uint32_t memory[(CONFORMANCE_ALBEDO_ONLY ? GLINT_TABLES_ALBEDO_BYTES : GLINT_TABLES_DITHER_BYTES) / 4];
     for (uint16_t i = 0; i < sizeof memory / sizeof *memory; i++)
         memory[i] = 0;
+#if CONFORMANCE_ALBEDO_ONLY /* of MSH's, for flash */
+    const enum glint_err err = glint_paint_tables_for(paint, &glint_use_albedo_maps, material, output, memory,
+                                                      sizeof memory, &glint_use_msh, &glint_use_rgb565);
+#else
     const enum glint_err err = glint_paint_tables(paint, kind, material, output, memory, sizeof memory);
+#endif
     conform_add((uint32_t)err);
     if (!err)
         conform_add_bytes((const uint8_t *)memory, (uint16_t)glint_tables_bytes(kind, output->dither));

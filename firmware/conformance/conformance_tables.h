@@ -10,6 +10,8 @@
 bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const struct glint_material *material,
                   const struct glint_output *output);
 
+/* What a light makes of them. */
+void conform_tables_lit(void);
 void conform_colours(const struct conformance_size *size);
 void conform_dithered(const struct conformance_size *size);
 void conform_albedo(const struct conformance_size *size);

@@ -16,7 +16,7 @@ struct recolour {
     const uint32_t
         *places;         /* of each pixel that can be seen, line by line, 2 bytes each as glint_draw_palette has them */
     uint16_t background; /* the pixel where there is no surface */
-    struct glint_paint *paint; /* of RGB565; each frame lights it */
+    struct glint_paint *paint; /* of RGB565, not dithered; each frame lights it */
     uint16_t *colours;         /* `entries` */
     uint32_t *fetched[2];      /* a line of places each */
     uint16_t *bands[2];        /* PANEL_BAND lines each */
@@ -29,7 +29,8 @@ struct recolour {
     bool in_frame;
 };
 
-/* Lights the paint, colours the palette and begins a frame after the one before is done. Errors as relight_frame. */
+/* Lights the paint, colours the palette and begins a frame after the one before is done. Errors as relight_frame; GLINT_ERR_FORMAT also for a
+ * dithered paint. */
 enum glint_err recolour_frame(struct recolour *recolour, const int32_t to_light[3]);
 /* Ends the frame and waits until nothing is sent any more; a line may still be being fetched. */
 void recolour_stop(struct recolour *recolour);

@@ -223,17 +223,38 @@ static void a_seam_has_no_outline(void **state)
             assert_int_equal(pictures[0][MESH_W * y + x], pictures[0][MESH_W * MESH_H / 2 + 50]);
 }
 
+/* Draws the mesh in strips of `lines` lines, each of which changes pixels of its box alone. The boxes are at most `most` wide and begin no
+ * further left than `left`. */
+static void boxed_picture(const struct drawer *look, uint16_t lines, bool is_outlined, int most, int left)
+{
+    static _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 8192 + GLINT_MESH_LIGHTS_BYTES];
+    static uint32_t work[20000];
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, lines, mesh.distance, memory, sizeof memory), GLINT_OK);
+    frame.outlines = is_outlined ? &glint_outlines : NULL;
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &look->paint, work, sizeof work), GLINT_OK);
+    for (unsigned y = 0; y < MESH_H; y += lines) {
+        const unsigned h = y + lines < MESH_H ? lines : MESH_H - y;
+        const struct glint_surface surface = {pictures[0] + MESH_W * y, MESH_W, 0, (uint16_t)y};
+        memset(pictures[0], 1, MESH_W * MESH_H);
+        assert_int_equal(glint_mesh_strip(&frame, (uint16_t)y, (uint16_t)h, &surface), GLINT_OK);
+        const struct glint_box *box = &frame.box;
+        assert_true(box->w == 0 || (box->y >= y && box->y + box->h <= (int)(y + h) && box->x + box->w <= MESH_W));
+        for (int p = 0; p < MESH_W * MESH_H; p++)
+            if (pictures[0][p] != 1)
+                assert_true(p % MESH_W >= box->x && p % MESH_W < box->x + box->w && p / MESH_W >= box->y &&
+                            p / MESH_W < box->y + box->h);
+        assert_true(box->w == 0 || (box->w <= most && box->x >= left));
+    }
+}
+
 static void all_that_a_strip_changes_lies_in_its_box(void **state)
 {
     (void)state;
     static struct drawer look;
-    static _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 8192 + GLINT_MESH_LIGHTS_BYTES];
-    static uint32_t work[20000];
     look_set(&look, &flat, GLINT_GREY8, false, 0);
     for (unsigned i = 0; i < 200; i++) {
-        struct glint_mesh_frame frame;
-        struct glint_mesh_drawn drawn;
-        const uint16_t lines = (uint16_t)(1 + below(MESH_H));
         if (i % 2) {
             ball();
             mesh.pose.position[0] = (int16_t)(below(3000) - 1500);
@@ -242,25 +263,36 @@ static void all_that_a_strip_changes_lies_in_its_box(void **state)
             mesh_noise(&mesh, 3 + below(60), 1 + below(60));
             mesh_join(&mesh);
         }
-        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, lines, mesh.distance, memory, sizeof memory),
-                         GLINT_OK);
-        frame.outlines = i & 2 ? &glint_outlines : NULL;
-        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &look.paint, work, sizeof work),
-                         GLINT_OK);
-        for (unsigned y = 0; y < MESH_H; y += lines) {
-            const unsigned h = y + lines < MESH_H ? lines : MESH_H - y;
-            const struct glint_surface surface = {pictures[0] + MESH_W * y, MESH_W, 0, (uint16_t)y};
-            memset(pictures[0], 1, sizeof pictures[0]);
-            assert_int_equal(glint_mesh_strip(&frame, (uint16_t)y, (uint16_t)h, &surface), GLINT_OK);
-            const struct glint_box *box = &frame.box;
-            assert_true(box->w == 0 || (box->y >= y && box->y + box->h <= (int)(y + h) && box->x + box->w <= MESH_W));
-            for (int p = 0; p < MESH_W * MESH_H; p++)
-                if (pictures[0][p] != 1)
-                    assert_true(p % MESH_W >= box->x && p % MESH_W < box->x + box->w && p / MESH_W >= box->y &&
-                                p / MESH_W < box->y + box->h);
-            if (i % 2 && box->w) /* a ball of radius 40, within a pixel */
-                assert_true(box->w <= 82 && box->x + 1 >= MESH_W / 2 + mesh.pose.position[0] / 16. - 41);
-        }
+        /* A ball is of radius 40, within a pixel. */
+        boxed_picture(&look, (uint16_t)(1 + below(MESH_H)), i & 2, i % 2 ? 82 : MESH_W,
+                      i % 2 ? MESH_W / 2 - 42 + (mesh.pose.position[0] >> 4) : 0);
+    }
+}
+
+/* Its corners within 1/16 of a pixel's side. */
+static void triangle_at_sides(unsigned reach)
+{
+    mesh_made(&mesh, 3, 1);
+    for (unsigned i = 0; i < 3; i++) {
+        mesh.places[i][0] = (int16_t)(16 * ((int)below(reach) - 50) + (int)below(3) - 1);
+        mesh.places[i][1] = (int16_t)(16 * ((int)below(reach) - 40) + (int)below(3) - 1);
+        mesh.places[i][2] = 0;
+        mesh.normals[i][2] = 32767;
+        mesh.faces[0][i] = (uint16_t)i;
+        mesh.neighbours[0][i] = GLINT_MESH_RIM;
+    }
+    mesh.pose.scale = 32768; /* a unit is 1/16 pixel */
+    mesh.mesh.neighbours = mesh.neighbours[0];
+}
+
+static void a_box_holds_what_an_outline_rounds_to_the_pixel_before(void **state)
+{
+    (void)state;
+    static struct drawer look;
+    look_set(&look, &flat, GLINT_GREY8, false, 0);
+    for (unsigned i = 0; i < 10000; i++) {
+        triangle_at_sides(i % 4 ? 90 : 1200);
+        boxed_picture(&look, MESH_H, true, MESH_W, 0);
     }
 }
 
@@ -286,6 +318,7 @@ int main(void)
         cmocka_unit_test(a_face_of_many_cells_is_drawn_in_pieces),
         cmocka_unit_test(a_seam_has_no_outline),
         cmocka_unit_test(all_that_a_strip_changes_lies_in_its_box),
+        cmocka_unit_test(a_box_holds_what_an_outline_rounds_to_the_pixel_before),
         cmocka_unit_test(neighbours_beyond_the_faces_are_refused),
     };
     return cmocka_run_group_tests_name("mesh edges", tests, NULL, NULL);
