@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
- * For Eva: models, formats and tables by their numbers, also those that there are not. What makes a paint of them is said here, as eva_tables.c and
- * eva_steps.c show it: the uses that it is given are there, or NULL.
+ * For Eva: models, formats and tables by their numbers, also those that there are not. Of what makes a paint of
+ * them only this is said here: the uses that it is given are there, or NULL.
  * eva: -eva-precision 2 -eva-split-return-function glint_paint_check:0 -eva-use-spec glint_paint_tables_for,glint_paint_steps_for */
 #include "eva.h"
 #include "glint_tables.h"
