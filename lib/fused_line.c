@@ -150,7 +150,7 @@ static void fused_line(struct glint_line_loop *loop, const struct glint_paint *p
     if (loop->covered)
         fused_edges(paint, lines, bounds, y);
 #endif
-    if (loop->last && loop->first != (const uint8_t *)UINTPTR_MAX) {
+    if (loop->last && (uintptr_t)loop->first != UINTPTR_MAX) {
         glint_bounds_add(bounds, (uint32_t)(loop->first - run->line) / LINE_BYTES(loop), y);
         glint_bounds_add(bounds, (uint32_t)(loop->last - run->line) / LINE_BYTES(loop), y);
     }

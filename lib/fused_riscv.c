@@ -95,7 +95,7 @@ static uint32_t riscv_draw(struct glint_line_loop *loop, uint32_t x)
             green = RISCV_READ(r[1]) * f + q1 * nl;
             blue = RISCV_READ(r[2]) * f + q2 * nl;
             loop->last = (uint8_t *)out;
-            if (loop->first > (uint8_t *)out)
+            if ((uintptr_t)loop->first > (uintptr_t)out)
                 loop->first = (uint8_t *)out;
         } else {
             red = q0 * nl;
@@ -144,6 +144,7 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     loop->reciprocals = glint_reciprocals;
     loop->f_max = p->of.exact.f_max;
     loop->swapped = p->output.format == GLINT_RGB565_SWAPPED;
+    loop->dark = 0;
     loop->draw = riscv_draw;
     return true;
 }

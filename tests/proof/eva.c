@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * What Frama-C's Eva runs: each function of the library with every argument that its declaration allows, and those it clamps. */
 #include "glint.h"
+#include "glint_sample.h"
 
 volatile uint32_t any;
 volatile int32_t any_signed;
@@ -56,6 +57,29 @@ int eva_normals_unpack(void)
 {
     const struct glint_vec v = glint_normals_unpack((enum glint_normals)any, any);
     return v.x + v.y + v.z;
+}
+
+/* A pixel's place in a map of either format, and of a format that there is not: its bytes lie in the map. */
+void eva_normals_window(void)
+{
+    enum { WIDE = 3, HIGH = 2, MOST = 6 };
+    static uint8_t map[MOST * WIDE * HIGH];
+    for (unsigned format = 0; format < 3; format++) {
+        const size_t size = glint_normals_size((uint8_t)format);
+        const uint8_t *const at =
+            glint_normals_window((enum glint_normals)format, map, (ptrdiff_t)(size * WIDE), any % WIDE, any % HIGH);
+        /*@ assert \valid_read(at + (0 .. size - 1)); */
+    }
+}
+
+uint8_t eva_shininess_code(void)
+{
+    return glint_shininess_code(any);
+}
+
+uint32_t eva_shininess_n(void)
+{
+    return glint_shininess_n((uint8_t)any);
 }
 
 uint16_t eva_srgb_decode(void)

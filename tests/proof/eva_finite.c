@@ -15,6 +15,10 @@
 #define glint_grain_check finite_grain_check
 #define glint_grain_light finite_grain_light
 
+/* Loops of C for RISC-V, which any computer compiles. */
+#define GLINT_RISCV 1
+#define glint_colour_int8 finite_colour_int8
+
 #include <stdio.h>
 
 #include "glint.h"
@@ -38,6 +42,7 @@
 extern const struct glint_use_model glint_use_msh, glint_use_msh_grain;
 #include "lobe_msh.c"
 #include "grain.c"
+#include "fused_riscv.c"
 
 /* A product in MSH's quotient grows with u, so that the largest u stands for all. */
 static uint32_t mantissas(void)
@@ -100,6 +105,22 @@ static void fold(struct glint_paint *paint, uint32_t n, uint32_t t_end)
     msh_fold(paint);
 }
 
+/* The same by the loop for RISC-V, whose m, and so its index, is the other's. */
+static uint32_t riscv_of(struct glint_paint *paint, uint32_t t)
+{
+    struct glint_line_loop loop;
+    paint->model = &glint_use_msh;
+    paint->output.format = GLINT_RGB565;
+    paint->output.dither = false;
+    paint->of.exact.shift = GLINT_LINE_SHIFT;
+    if (!glint_line_begin(&loop, paint, false))
+        return 0;
+    if (riscv_high(t << loop.up, loop.factor) + loop.addend !=
+        msh_m(paint->of.exact.k[GLINT_MSH_FACTOR], paint->of.exact.k[GLINT_MSH_ADDEND], t))
+        __builtin_trap();
+    return riscv_msh(&loop, t);
+}
+
 /* MSH from below with every n: as the shift grows with 1 - t_end, of each shift the first and last t_end; as m grows with t, 0,
  * t_end - 1, and t whose lower 14 bits are greatest or least beside them. m outside 2^27 .. 2^28 would be an index beyond the table. */
 static uint32_t below_of(uint32_t n, uint32_t t_end)
@@ -110,7 +131,7 @@ static uint32_t below_of(uint32_t n, uint32_t t_end)
     const uint32_t last = t_end - 1, ts[] = {0, 1, 0x3fff, last & ~UINT32_C(0x3fff), (last | 0x3fff) - 0x4000, last};
     for (unsigned i = 0; i < sizeof ts / sizeof *ts; i++)
         if (ts[i] < t_end)
-            sum += msh_near(&paint, ts[i]);
+            sum += msh_near(&paint, ts[i]) + riscv_of(&paint, ts[i]);
     return sum;
 }
 

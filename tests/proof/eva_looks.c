@@ -127,6 +127,33 @@ void eva_albedo_int16(void)
         }
 }
 
+/* With maps of gloss and shininess. Eva does not see that y - surface.y is the line, so that the first line's y is one number. */
+static void mapped(const struct glint_use_tables *use, bool has_albedo)
+{
+    static uint8_t gloss[WIDE * HIGH], shininess[WIDE * HIGH];
+    struct glint_maps maps = maps_of(has_albedo);
+    const struct glint_surface surface = {pixels, 2 * WIDE, (uint16_t)any, UINT16_MAX};
+    ANY_BYTES(gloss);
+    ANY_BYTES(shininess);
+    paint.of.tables.filled.use = use;
+    paint.of.tables.filled.n = (uint16_t)(1 + any % GLINT_N_MAX);
+    maps.gloss_stride = maps.shininess_stride = WIDE;
+    maps.gloss = gloss;
+    (void)glint_draw_rect(&paint, &maps, WIDE, HIGH, &surface, NULL);
+    maps.shininess = shininess;
+    (void)glint_draw_rect(&paint, &maps, WIDE, HIGH, &surface, NULL);
+}
+void eva_colour_mapped(void)
+{
+    of_colours(12);
+    mapped(&glint_use_colour_maps, false);
+}
+void eva_albedo_mapped(void)
+{
+    of_levels(12);
+    mapped(&glint_use_albedo_maps, true);
+}
+
 /* The general way of INT8: samples of any words, and their pixels. */
 static void words_as_pixels(void)
 {
