@@ -144,7 +144,6 @@ bool glint_line_begin(struct glint_line_loop *loop, const struct glint_paint *p,
     loop->reciprocals = glint_reciprocals;
     loop->f_max = p->of.exact.f_max;
     loop->swapped = p->output.format == GLINT_RGB565_SWAPPED;
-    loop->dark = 0;
     loop->draw = riscv_draw;
     return true;
 }
