@@ -27,6 +27,8 @@ WERROR ?=
 # lab comes late, when its kernel has been built beside others.
 TEST_ORDER = unit exact proof targets packages page+gateware lab pico
 TIERS = $(subst +, ,$(TEST_ORDER))
+# libglint.pc is read in any folder.
+$(if $(filter install install-lib run-install-lib,$(MAKECMDGOALS)),$(if $(filter-out /%,$(firstword $(PREFIX))),$(error PREFIX='$(PREFIX)': give the whole path, from / on)))
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
@@ -191,6 +193,7 @@ run-install-lib: $(BUILD)/libglint.a
 	printf '%s\n' $(call quoted,prefix=$(PREFIX)) 'Name: libglint' 'Description: Specular shading with integers only' \
 		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
 		>$(INSTALL)/lib/pkgconfig/libglint.pc
+	chmod 644 $(INSTALL)/lib/pkgconfig/libglint.pc
 
 uninstall: ## use: remove what make install put there
 	rm -f $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/libglint.pc $(LIB_HEADERS:%=$(INSTALL)/include/%) \
