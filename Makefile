@@ -27,6 +27,8 @@ WERROR ?=
 # lab comes late, when its kernel has been built beside others.
 TEST_ORDER = unit exact proof targets packages page+gateware lab pico
 TIERS = $(subst +, ,$(TEST_ORDER))
+# libglint.pc is read in any folder.
+$(if $(filter install install-lib run-install-lib,$(MAKECMDGOALS)),$(if $(filter-out /%,$(firstword $(PREFIX))),$(error PREFIX='$(PREFIX)': give the whole path, from / on)))
 # A TMPDIR that cannot be written to would stop compilers and tests.
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
@@ -90,6 +92,8 @@ HOST_ARCHIVES = $(BUILD)/libhost.a $(BUILD)/libglint.a
 # Sub-makes use all cores unless the caller's make decides. (Their recipes begin with +: make does not see $(MAKE) in it.)
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
+# Instead of the + where a recipe does more than that: make -n prints it.
+PLUS = $(if $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS)))),,+)
 
 # Debian packages of each set-up goal: NAME_PACKAGES is the one place of that fact; `make packages` prints them all.
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev liblz4-dev libusb-1.0-0-dev \
@@ -191,6 +195,7 @@ run-install-lib: $(BUILD)/libglint.a
 	printf '%s\n' $(call quoted,prefix=$(PREFIX)) 'Name: libglint' 'Description: Specular shading with integers only' \
 		'Version: $(VERSION)' 'Cflags: -I"$${prefix}/include"' 'Libs: -L"$${prefix}/lib" -lglint' \
 		>$(INSTALL)/lib/pkgconfig/libglint.pc
+	chmod 644 $(INSTALL)/lib/pkgconfig/libglint.pc
 
 uninstall: ## use: remove what make install put there
 	rm -f $(INSTALL)/lib/libglint.a $(INSTALL)/lib/pkgconfig/libglint.pc $(LIB_HEADERS:%=$(INSTALL)/include/%) \
@@ -219,7 +224,7 @@ CHECK_PACKAGES = $(sort $(foreach need,$(FORMAT_CHECK) $(EXACT_CHECK) $(GATEWARE
 CHECK_MAKE = $(SUBMAKE) -s BUILD=$(if $(filter 1,$(SANITIZE)),build/check-sanitized,build/check) WERROR=-Werror \
 	$(if $(filter file0,$(origin CFLAGS)$(SANITIZE)),CFLAGS=-O2 HOST_MORE=-O1 UNIT_CFLAGS=-O0)
 check: missing ## check: in about a minute, with what is installed: warnings, format, and each tier's quick part
-	@+echo "== all" && $(CHECK_MAKE) all \
+	@$(PLUS)echo "== all" && $(CHECK_MAKE) all \
 		$$(tests/missing "$(CC)" "" "" $(UNIT_CHECK) >/dev/null && echo unit-quick-programs) \
 		$$(tests/missing "$(CC)" "" "" $(EXACT_CHECK) >/dev/null && echo exact-quick-programs) && tests/sum "$(CHECK_MAKE)" check-format $(CHECKS)
 
@@ -246,7 +251,7 @@ CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
-	@+$(SUBMAKE) setup-$(firstword $(TIERS)); \
+	@$(PLUS)$(SUBMAKE) setup-$(firstword $(TIERS)); \
 	{ .ci/need "the other tiers" $(TEST_PACKAGES) && env --default-signal=INT,QUIT nice -n 19 tests/lab/kernel >/dev/null; } & \
 	$(TEST_CACHE) tests/sum "$(SUBMAKE)" $(subst +,+test-,$(TEST_ORDER:%=test-%))
 

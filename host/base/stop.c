@@ -6,6 +6,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 static volatile sig_atomic_t asked; /* the signal that asked the stream to end */
@@ -86,15 +87,23 @@ static void say_last_words(void)
         return; /* there is nothing more to do */
 }
 
+/* A closed terminal and timeout send a signal to the program and to its group: what follows within ECHO_MS is the same one. */
 static void on_stop(int number)
 {
-    if (asked && write_reports(number))
+    enum { ECHO_MS = 500 };
+    static volatile struct timespec first;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (!asked) {
+        first = now;
+        asked = number;
         return;
-    if (asked) {
-        say_last_words();
-        end_by(number);
     }
-    asked = number;
+    if (write_reports(number) ||
+        (now.tv_sec - first.tv_sec) * 1000L + (now.tv_nsec - first.tv_nsec) / 1000000 < ECHO_MS)
+        return;
+    say_last_words();
+    end_by(number);
 }
 
 /* The terminal gets its cursor back, then the system stops the program: its own action is put in place and the signal sent

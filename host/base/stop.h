@@ -9,8 +9,8 @@
 /* The signals that end a program, a crash too, end it at once, after stop_undo's functions have run. Ignored signals stay ignored.
  * The first thread calls it. */
 void stop_at_signals(void);
-/* From now on the first signal that would end the program only asks: stream_stopped() becomes true and waiting ends. The
- * second ends the program at once. SIGTSTP stops it after the last words. */
+/* From now on the first signal that would end the program only asks: stream_stopped() becomes true and waiting ends. One
+ * that comes half a second later, or more, ends the program at once. SIGTSTP stops it after the last words. */
 void stop_when_asked(void);
 /* Has a signal asked the stream to end? For loops that wait. */
 bool stream_stopped(void);

@@ -53,7 +53,7 @@ _glint()
         compopt -o filenames 2>/dev/null
     else
         COMPREPLY=($(compgen -W '$choices' -- "$current"))
-        if [[ ${COMPREPLY[0]} == *= ]]; then
+        if [[ ${COMPREPLY[0]-} == *= ]]; then
             compopt -o nospace 2>/dev/null
         fi
     fi

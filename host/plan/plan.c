@@ -244,7 +244,6 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
     const struct changes *changes = &plan->changes;
     const size_t pixels = (size_t)whole->w * whole->h;
     struct box_price price = {cost->rectangle_s * cost->bytes_per_s, price_bytes, plan};
-    plan->drafts[plan->best].seconds = INFINITY;
     try_draft(plan, now, &changes->bounds, 1);
     if (plan->density && plan->drafts[plan->best].bytes < SHORT_BYTES)
         try_draft(plan, now, whole, 1);
@@ -263,27 +262,46 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
         try_boxes(plan, now, boxes_of_spans(changes, &price, &plan->boxes));
 }
 
+/* The best of new drafts; the one under way stays until this frame is sent. */
+static void begin(struct plan *plan)
+{
+    plan->sending = plan->best;
+    plan->best = (plan->sending + 1) % DRAFTS;
+    plan->drafts[plan->best].seconds = INFINITY;
+}
+
+static void finish(struct plan *plan, struct plan_result *result)
+{
+    struct draft *draft = &plan->drafts[plan->best];
+    settle(draft);
+    result->pieces = draft->pieces;
+    result->count = draft->count;
+    result->bytes = draft->bytes;
+}
+
 struct plan_result plan_frame(struct plan *plan, const uint8_t *last, const struct frame *now)
 {
     const struct glint_box whole = {0, 0, now->width, now->height};
     struct plan_result result = {.whole_bytes = box_bytes(plan->sink, &whole)};
     changes_find(&plan->changes, last, now);
     result.changed = plan->changes.count;
-    plan->sending = plan->best; /* its data stay until this frame is sent */
-    plan->best = (plan->sending + 1) % DRAFTS;
-    if (plan->sink->whole_frames) {
-        plan->drafts[plan->best].seconds = INFINITY;
+    if (!plan->sink->whole_frames && !plan->changes.count)
+        return result; /* nothing to send: the draft under way stays the last */
+    begin(plan);
+    if (plan->sink->whole_frames)
         try_draft(plan, now, &whole, 1);
-    } else if (plan->changes.count) {
+    else
         choose(plan, now, &whole);
-    } else {
-        plan->best = plan->sending; /* nothing to send: the draft under way stays the last */
-        return result;
-    }
-    struct draft *draft = &plan->drafts[plan->best];
-    settle(draft);
-    result.pieces = draft->pieces;
-    result.count = draft->count;
-    result.bytes = draft->bytes;
+    finish(plan, &result);
+    return result;
+}
+
+struct plan_result plan_little(struct plan *plan, const struct frame *now)
+{
+    const struct glint_box whole = {0, 0, now->width, now->height}, corner = {0, 0, 1, 1};
+    struct plan_result result = {.whole_bytes = box_bytes(plan->sink, &whole)};
+    begin(plan);
+    try_draft(plan, now, &corner, 1);
+    finish(plan, &result);
     return result;
 }

@@ -19,5 +19,7 @@ struct plan *plan_new(const struct sink *sink);
 void plan_free(struct plan *plan);
 /* What turns the frame `last` (NULL: what is there is not known) into `now`. */
 struct plan_result plan_frame(struct plan *plan, const uint8_t *last, const struct frame *now);
+/* The least that the sink takes of a frame that is there. */
+struct plan_result plan_little(struct plan *plan, const struct frame *now);
 
 #endif

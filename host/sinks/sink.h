@@ -124,6 +124,7 @@ struct sink_kind {
         *usual_output; /* -o where none is given; then a name without a number is one picture, the last. NULL: none */
     bool paced;        /* --fps sets the pace, and frames go on until stopped; else one turn of the light, unpaced */
     bool every_frame;  /* send is called for a frame that changed nothing, too */
+    bool may_go;       /* unplugged or reset, which only what is sent to it tells */
     bool wants_fps;    /* what it writes states the frame rate: --fps 0 is refused */
     const struct argp *const *options; /* its own, some perhaps shared with other sinks; ends with NULL. NULL: none */
     const char *help, *examples;       /* for the end of the help, whole lines; or NULL */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Sink webp: all frames in one animated WebP, which browsers and README pages show, by libwebp. */
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +38,8 @@ static const struct argp options_argp = {argp_options, parse_option, NULL, NULL,
 
 /* ---- the sink ---- */
 
+enum { FRAME_MS_MAX = (1 << 24) - 1 };
+
 struct webp {
     struct sink sink;
     struct animation animation;
@@ -52,6 +55,9 @@ static struct sink *open_webp(const struct sink_wish *wish)
     if (webp->sink.width > WEBP_MAX_DIMENSION || webp->sink.height > WEBP_MAX_DIMENSION)
         fail("--size: %ux%u is more than the %d pixels a side of a WebP; choose a smaller --size, or --to png",
              webp->sink.width, webp->sink.height, WEBP_MAX_DIMENSION);
+    if (wish->fps < 1000. / FRAME_MS_MAX)
+        fail("--fps: %g is no rate of a WebP, whose frames last at most %d s; give .00006 or more", wish->fps,
+             FRAME_MS_MAX / 1000);
     if (!WebPConfigInit(&webp->config) || !WebPAnimEncoderOptionsInit(&options))
         fail("--to webp: the library is another version than glint was built for");
     webp->config.lossless = quality == 100;
@@ -71,6 +77,8 @@ static struct sink *open_webp(const struct sink_wish *wish)
 static void add(struct webp *webp, WebPPicture *picture)
 {
     const long time_ms = animation_time(&webp->animation, webp->animation.frames, 1000);
+    if (time_ms > INT_MAX)
+        fail("--frames: a WebP lasts at most 24 days; give fewer, or a higher --fps");
     if (!WebPAnimEncoderAdd(webp->encoder, picture, (int)time_ms, &webp->config))
         fail("%s: %s", webp->sink.name, WebPAnimEncoderGetError(webp->encoder));
 }

@@ -47,6 +47,7 @@ struct stream {
     struct stream_stats *stats;
     uint8_t *pixels[2]; /* of this frame and of the one before, in turn */
     bool known;         /* the sink shows the frame before */
+    double sent;        /* seconds_now() of what was sent last */
 };
 
 static void choose_size(struct stream *stream, const struct scene_maps *maps)
@@ -165,6 +166,16 @@ static bool send_light(struct stream *stream, double seconds)
     }
 }
 
+/* What is sent of a frame. Of one that changed nothing a little once a second, where nothing else tells that the display is gone or
+ * was reset. */
+static struct plan_result to_send(const struct stream *stream, const uint8_t *last, const struct frame *frame)
+{
+    const struct plan_result result = plan_frame(stream->plan, last, frame);
+    if (result.count || !open_sink->kind->may_go || seconds_now() < stream->sent + 1)
+        return result;
+    return plan_little(stream->plan, frame);
+}
+
 /* Frame `index`; false where it is the end. */
 static bool send_frame(struct stream *stream, unsigned long index)
 {
@@ -183,8 +194,10 @@ static bool send_frame(struct stream *stream, unsigned long index)
         const struct frame frame = {sink->width, sink->height, sink->format,
                                     format_line_bytes(sink->format, sink->width), pixels};
         const uint8_t *last = stream->known ? stream->pixels[(index + 1) % 2] : NULL;
-        const struct plan_result result = plan_frame(stream->plan, last, &frame);
+        const struct plan_result result = to_send(stream, last, &frame);
         enum sink_result sent = SINK_SENT;
+        if (result.count)
+            stream->sent = seconds_now();
         if (result.count || sink->kind->every_frame)
             sent = sink->kind->pixels.send(sink, &frame, result.pieces, result.count);
         if (sent == SINK_SENT) {

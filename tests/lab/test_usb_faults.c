@@ -9,14 +9,13 @@
 
 /* ---- data that fails ---- */
 
-/* The last of so many frames is on the display, bit by bit. */
-static void assert_last_frame(unsigned frames)
+/* The last frame of such a stream is on the display, bit by bit. */
+static void assert_last_frame_of(const char *options)
 {
     static uint8_t frame[120 * 80 * 2];
     char command[200];
-    snprintf(command, sizeof command,
-             "$GLINT stream watchface --to raw --size 120x80 --frames %u --fps 10 | tail -c %zu >frame.raw", frames,
-             sizeof frame);
+    snprintf(command, sizeof command, "$GLINT stream watchface --to raw --size 120x80 %s | tail -c %zu >frame.raw",
+             options, sizeof frame);
     assert_ends(command, 0, "");
     FILE *file = fopen("frame.raw", "r");
     assert_non_null(file);
@@ -24,6 +23,13 @@ static void assert_last_frame(unsigned frames)
     fclose(file);
     assert_soon(!display.seen->display);
     assert_memory_equal(display.seen->picture, frame, sizeof frame);
+}
+
+static void assert_last_frame(unsigned frames)
+{
+    char options[40];
+    snprintf(options, sizeof options, "--frames %u --fps 10", frames);
+    assert_last_frame_of(options);
 }
 
 static void assert_recovers(const char *options, const char *words)
@@ -115,6 +121,15 @@ static void a_display_that_comes_back_is_waited_for_and_shows_the_whole_picture(
     assert_true(display.seen->starts > 0);
 }
 
+static void reset(void)
+{
+    const char *node = run("ls /dev/bus/usb/001/* | tail -1 | tr -d '\\n'")->out;
+    const int file = open(node, O_RDWR);
+    assert_true(file >= 0);
+    assert_int_equal(ioctl(file, USBDEVFS_RESET, NULL), 0);
+    close(file);
+}
+
 static void a_display_reset_by_another_program_shows_the_whole_picture_again(void **state)
 {
     (void)state;
@@ -122,11 +137,7 @@ static void a_display_reset_by_another_program_shows_the_whole_picture_again(voi
     usb_display_be(&display, &config);
     const pid_t stream = start("exec " STREAM OURS "--frames 30 --fps 10");
     assert_soon(display.seen->rectangles > 1);
-    const char *node = run("ls /dev/bus/usb/001/* | tail -1 | tr -d '\\n'")->out;
-    const int file = open(node, O_RDWR);
-    assert_true(file >= 0);
-    assert_int_equal(ioctl(file, USBDEVFS_RESET, NULL), 0);
-    close(file);
+    reset();
     assert_soon(display.seen->starts > 0 && display.seen->display);
     assert_exits(stream, 0);
     char text[1000];
@@ -134,6 +145,58 @@ static void a_display_reset_by_another_program_shows_the_whole_picture_again(voi
     assert_one_line(text);
     assert_contains(text, "reinitialising it");
     assert_last_frame(30);
+}
+
+static pid_t start_still(const char *options)
+{
+    char command[200];
+    honest();
+    usb_display_be(&display, &config);
+    snprintf(command, sizeof command, "exec " STREAM OURS "--period 0 --fps 5 %s", options);
+    const pid_t stream = start(command);
+    assert_soon(display.seen->rectangles > 0);
+    return stream;
+}
+
+static void a_picture_that_stands_still_returns_with_its_display(void **state)
+{
+    (void)state;
+    const pid_t stream = start_still("--wait");
+    for (unsigned i = 0; i < 2; i++) {
+        usb_display_unplug(&display);
+        usb_display_be(&display, &config);
+        assert_soon(display.seen->display && display.seen->bulk_bytes > 0);
+    }
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    assert_last_frame_of("--period 0 --frames 1");
+}
+
+static void a_picture_that_stands_still_is_whole_again_after_a_reset(void **state)
+{
+    (void)state;
+    const pid_t stream = start_still("");
+    reset();
+    assert_soon(display.seen->starts > 0 && display.seen->display);
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    char text[1000];
+    read_text("stream.err", text, sizeof text);
+    assert_one_line(text);
+    assert_contains(text, "reinitialising it");
+    assert_last_frame_of("--period 0 --frames 1");
+}
+
+static void a_picture_that_stands_still_ends_with_a_display_that_is_unplugged(void **state)
+{
+    (void)state;
+    const pid_t stream = start_still("");
+    usb_display_unplug(&display);
+    assert_exits(stream, 1);
+    char text[1000];
+    read_text("stream.err", text, sizeof text);
+    assert_one_line(text);
+    assert_contains(text, "unplugged; start again when it is back, or use --wait");
 }
 
 int main(void)
@@ -148,6 +211,9 @@ int main(void)
         cmocka_unit_test(a_display_unplugged_within_a_frame_ends_the_stream),
         cmocka_unit_test(a_display_that_comes_back_is_waited_for_and_shows_the_whole_picture),
         cmocka_unit_test(a_display_reset_by_another_program_shows_the_whole_picture_again),
+        cmocka_unit_test(a_picture_that_stands_still_returns_with_its_display),
+        cmocka_unit_test(a_picture_that_stands_still_is_whole_again_after_a_reset),
+        cmocka_unit_test(a_picture_that_stands_still_ends_with_a_display_that_is_unplugged),
     };
     return cmocka_run_group_tests_name("usb faults", tests, scratch_make, clean);
 }

@@ -72,7 +72,7 @@ lab-programs: usb-programs $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,bitbang1
 
 # The command with libgpiod 2.
 glint-gpiod2:
-	@+$(LAB_LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
+	@$(PLUS)$(LAB_LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
 
 # What takes longest goes first: of what is built the kernel, of what runs the programs that compute. The others mostly
 # wait for USB: two more run than there are processors.
@@ -95,7 +95,7 @@ usb-rate: usb-programs ## measure: the usb sink's rate beside a bare loop of lib
 	@LAB_BUILD=$(CURDIR)/$(BUILD) $(LAB_USB_GUEST) $(BUILD)/tests/lab/usb_rate
 
 gpio-rate: $(BUILD)/tests/lab/gpio_rate $(LAB_GUEST_FILES) ## measure: ns of a call that sets lines, beside a bare loop of its ioctl
-	@+$(LAB_LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 build/gpiod2/tests/lab/gpio_rate
+	@$(PLUS)$(LAB_LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 build/gpiod2/tests/lab/gpio_rate
 	@export LAB_BUILD=$(CURDIR)/$(BUILD); for build in $(LAB_BOTH_BUILDS); do \
 		tests/lab/guest $$build/tests/lab/gpio_rate | grep '^libgpiod' || exit 1; done
 

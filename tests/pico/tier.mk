@@ -73,6 +73,6 @@ $(BUILD)/tests/pico/cores: tests/pico/cores.c $(PICO_CORES) $(wildcard firmware/
 	@$(CC) -std=c11 -Ilib -Ifirmware/core $(WARNINGS) -O1 -g -fsanitize=thread $(filter %.c,$^) -o $@ -pthread
 
 hwtest: ## check: a Raspberry Pi Pico that is plugged in (BOOTSEL held) and its frame rate; a report to send in
-	@+tests/hwtest "$(SUBMAKE)"
+	@$(PLUS)tests/hwtest "$(SUBMAKE)"
 
 .PHONY: setup-pico test-pico pico-images run-pico hwtest

@@ -25,7 +25,7 @@ build/ends.o: tests/strength/ends.c
 coverage-lib: setup-strength build/ends.o ## check: the same of lib/ and firmware/core/ by their own tests alone (two minutes)
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
-	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) COUNTED="$(CURDIR)/build/coverage/glint" \
+	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) COUNTED="$(CURDIR)/build/coverage/glint" \
 		GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)" tests/tally $(addprefix build/coverage/,$(STRENGTH_EXACT) $(STRENGTH_UNIT))
 	@tests/strength/covered build/coverage
 
@@ -33,8 +33,8 @@ coverage-lib: setup-strength build/ends.o ## check: the same of lib/ and firmwar
 coverage: setup-strength build/ends.o ## check: which lines and branches of lib/, firmware/core/ and host/ the quick tests execute
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
-	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
-	@+$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) \
+	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
+	@$(PLUS)$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) \
 		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' UNIT_LONG= run-check-unit || \
 		echo "coverage: what failed in this build was counted as far as it went"
 	@tests/strength/covered build/coverage
@@ -45,7 +45,7 @@ coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## 
 	@+$(SUBMAKE) -s pico-images
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs lab-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
-	@+$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
+	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
 	@+for goal in "TEST=test_ run-unit" run-lab "TEST=test_[ep][no][ds]* run-pico"; do \
 		$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 \
 		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' $$goal || \

@@ -52,10 +52,10 @@ unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/% $(UNIT_LONG),$(UNIT_TESTS))
 run-unit: $(if $(TEST)$(filter 1,$(SANITIZE)),$(UNIT_TESTS),$(UNIT_PLAIN)) $(BUILD)/glint
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
-	@+$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
+	@$(PLUS)$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
 else
 	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-sanitizable-programs
-	@+$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
+	@$(PLUS)$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_SANITIZABLE)) $(UNIT_PLAIN)
 endif
 

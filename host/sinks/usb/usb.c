@@ -290,6 +290,7 @@ const struct sink_kind sink_usb = {
     .name = "usb",
     .summary = "a USB display that speaks GUD, by libusb",
     .paced = true,
+    .may_go = true,
     .options = usb_argps,
     .examples = "  glint stream dial --to usb --stats\n"
                 "  glint stream --height wall.png --size 240x240 --to usb --shade device\n"

@@ -13,6 +13,7 @@
 
 struct chips {
     struct gpio_chip **open; /* NULL where it could not be */
+    int *reasons;            /* the errno, where it could not */
     char **names;
     unsigned count;
     char *denied; /* the path of one that may not be opened */
@@ -25,13 +26,15 @@ static struct chips chips_open(const struct gpio_line_wish *wish)
     if (chips.count == 0)
         fail("%s: %s=%s: no GPIO chip: this machine has no /dev/gpiochip0", wish->origin, wish->role, wish->text);
     chips.open = calloc(chips.count, sizeof(struct gpio_chip *));
-    if (!chips.open)
+    chips.reasons = calloc(chips.count, sizeof(int));
+    if (!chips.open || !chips.reasons)
         fail("out of memory");
     for (unsigned i = 0; i < chips.count; i++) {
         char path[PATH_ROOM];
         snprintf(path, sizeof path, "/dev/%s", chips.names[i]);
         chips.open[i] = gpio_chip_open(path);
-        if (!chips.open[i] && errno == EACCES && !chips.denied)
+        chips.reasons[i] = chips.open[i] ? 0 : errno;
+        if (chips.reasons[i] == EACCES && !chips.denied)
             chips.denied = strdup(path);
     }
     return chips;
@@ -44,6 +47,7 @@ static void chips_close(struct chips *chips, const struct gpio_chip *kept)
         if (chips->open[i] && chips->open[i] != kept)
             gpio_chip_close(chips->open[i]);
     free(chips->open);
+    free(chips->reasons);
     device_names_free(chips->names, chips->count);
     free(chips->denied);
 }
@@ -184,9 +188,10 @@ static struct gpio_found found_on(struct chips *chips, const struct gpio_line_wi
     if (!chips->open[i]) {
         char path[PATH_ROOM];
         snprintf(path, sizeof path, "/dev/%s", chips->names[i]);
-        if (chips->denied)
+        if (chips->reasons[i] == EACCES)
             fail_denied(wish, path);
-        fail("%s: %s=%s: %s cannot be opened: %s", wish->origin, wish->role, wish->text, path, strerror(errno));
+        fail("%s: %s=%s: %s cannot be opened: %s", wish->origin, wish->role, wish->text, path,
+             strerror(chips->reasons[i]));
     }
     if (!is_number(text))
         return found_by_name(chips, wish, text, i, i + 1);

@@ -144,6 +144,16 @@ static void a_size_that_a_webp_cannot_have_is_refused(void **state)
     assert_int_equal(
         run("$GLINT stream coin --size 16383x1 --to webp --frames 1 -o out/a.webp && rm out/a.webp")->status, 0);
 }
+
+static void a_rate_that_a_webp_cannot_have_is_refused(void **state)
+{
+    (void)state;
+    assert_fails(COIN "--to webp --fps .00005 -o out/a.webp", "--fps: 5e-05 is no rate of a WebP, whose frames last");
+    assert_quiet(COIN "--to webp --fps .00006 --frames 2 -o out/a.webp && rm out/a.webp");
+    assert_fails("$GLINT stream coin --size 1x1 --to webp --fps .00006 --frames 200 -o out/a.webp",
+                 "--frames: a WebP lasts at most 24 days; give fewer, or a higher --fps");
+    assert_int_equal(files_in("out"), 0);
+}
 #endif
 
 #if GLINT_WITH_GIF
@@ -256,6 +266,7 @@ int main(void)
         cmocka_unit_test(a_lower_quality_takes_fewer_bytes),
         cmocka_unit_test(a_frame_of_a_lower_quality_shows_nothing_of_the_frames_before),
         cmocka_unit_test(a_size_that_a_webp_cannot_have_is_refused),
+        cmocka_unit_test(a_rate_that_a_webp_cannot_have_is_refused),
 #endif
 #if GLINT_WITH_GIF
         cmocka_unit_test(a_gif_shows_the_pixels_of_the_png_sink_in_256_colours_of_rgb565_each_frame_in_its_time),

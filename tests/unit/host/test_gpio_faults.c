@@ -122,6 +122,18 @@ static void a_chip_that_may_not_be_opened_is_told(void **state)
     chips[0].refused = 0;
 }
 
+static void each_chip_that_cannot_be_opened_is_told_with_its_own_reason(void **state)
+{
+    (void)state;
+    struct gpio_options options = wires(GPIO_BUS_SPI);
+    options.chip = "gpiochip0";
+    chips[0].refused = ENODEV;
+    assert_told(&options, "--lines: sck=SCK: /dev/gpiochip0 cannot be opened: No such device");
+    chips[1].refused = EACCES;
+    assert_told(&options, "--lines: sck=SCK: /dev/gpiochip0 cannot be opened: No such device");
+    chips[0].refused = chips[1].refused = 0;
+}
+
 static void a_chip_that_goes_away_ends_the_stream_with_one_line_whenever_it_does(void **state)
 {
     (void)state;
@@ -143,6 +155,7 @@ int main(void)
         cmocka_unit_test(a_chip_that_is_not_there_is_told_with_those_that_are),
         cmocka_unit_test(the_same_line_for_two_wires_is_told),
         cmocka_unit_test(a_chip_that_may_not_be_opened_is_told),
+        cmocka_unit_test(each_chip_that_cannot_be_opened_is_told_with_its_own_reason),
         cmocka_unit_test(a_chip_that_goes_away_ends_the_stream_with_one_line_whenever_it_does),
     };
     return cmocka_run_group_tests_name("gpio faults", tests, NULL, NULL);

@@ -166,8 +166,10 @@ static void a_terminal_that_is_held_up_does_not_keep_the_stream_from_ending(void
         shows(0, HIDDEN);
         assert_int_equal(tcflow(terminal.line, TCOOFF), 0);
         assert_int_equal(kill(terminal.child, SIGTERM), 0);
-        if (signals == 2)
-            assert_int_equal(kill(terminal.child, SIGINT), 0);
+        if (signals == 2) {
+            usleep(600000);
+            kill(terminal.child, SIGINT);
+        }
         assert_int_equal(waitid(P_PID, (id_t)terminal.child, &gone, WEXITED | WNOWAIT), 0);
         assert_int_equal(tcflow(terminal.line, TCOON), 0);
         const int status = ends();

@@ -213,6 +213,20 @@ static void a_signal_ends_the_video_after_a_whole_frame(void **state)
     }
 }
 
+/* A closed terminal and timeout send a signal twice: they ask once. Both are there when the stream goes on. */
+static void two_signals_at_once_end_the_video_after_a_whole_frame_too(void **state)
+{
+    (void)state;
+    const int status = run("env --default-signal=HUP " COIN "--frames 1000000 --period 1000 -o out/v.y4m & "
+                           "until [ $(cat out/.glint-* | wc -c) -gt 20000 ] || ! kill -0 $!; do sleep .02; done; "
+                           "kill -STOP $!; kill -TERM $!; kill -HUP $!; kill -CONT $!; wait $!")
+                           ->status;
+    assert_true(status == 128 + SIGTERM || status == 128 + SIGHUP);
+    assert_int_equal(files_in("out"), 1);
+    assert_quiet("test $((($(wc -c <out/v.y4m) - $(head -1 out/v.y4m | wc -c)) % 7206)) = 0");
+    assert_quiet("rm out/v.y4m");
+}
+
 /* The reader lags behind: the pipe is full when the signal comes, in the middle of a frame. Then it has room, so that nothing depends on how
  * soon the reader reads. */
 static void a_signal_ends_the_video_in_a_pipe_after_a_whole_frame(void **state)
@@ -268,6 +282,7 @@ int main(void)
         cmocka_unit_test(a_minus_is_standard_output),
         cmocka_unit_test(without_o_or_in_a_place_that_cannot_be_written_there_is_one_line_and_no_file),
         cmocka_unit_test(a_signal_ends_the_video_after_a_whole_frame),
+        cmocka_unit_test(two_signals_at_once_end_the_video_after_a_whole_frame_too),
         cmocka_unit_test(a_signal_ends_the_video_in_a_pipe_after_a_whole_frame),
         cmocka_unit_test(one_stopped_before_its_first_frame_leaves_no_file),
     };
