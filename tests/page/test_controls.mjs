@@ -350,6 +350,24 @@ run([
         await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
         await page.click('#close-how')
     }],
+    ['an address whose file is stopped on its way to the worker gives way to what was there', async () => {
+        await browser.go(start)
+        await browser.drop({ 'kept.png': surfaces['grey8.png'].bytes })
+        await browser.until(() => document.body.dataset.kept === 'kept.png')
+        await browser.go(start)
+        const before = (await shownIsDrawn()).join(' ')
+        await page.evaluate(() => {
+            globalThis.workers[0].postMessage = function (message) {
+                this.isHeld ||= message.method === 'map'
+                Worker.prototype.postMessage.call(this, message)
+            }
+            location.hash = 'height=kept.png'
+        })
+        await browser.until(() => globalThis.workers[0].isHeld && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        equal((await shownIsDrawn()).join(' '), before, 'the state')
+        equal(await browser.text('refusal'), '', 'what it says')
+    }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)
         await browser.tab('output')

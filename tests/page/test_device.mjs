@@ -165,6 +165,44 @@ run([
         await press('Undo')
         await follows()
     }],
+    ['a file is stopped with the view that a board has of it, and the board goes on with what it had', async () => {
+        await follows()
+        const { length } = await page.evaluate(() => {
+            globalThis.workers.forEach(worker => {
+                worker.postMessage = message => {
+                    worker.isHeld ||= message.method === 'colour'
+                    Worker.prototype.postMessage.call(worker, message)
+                }
+            })
+            return globalThis.workers
+        })
+        await browser.drop({ 'slow.png': png({ width: 50, height: 50, type: 2, depth: 8, sample: (x, y, k) => 4 * x + y + 9 * k }) })
+        await browser.until(() => globalThis.workers.at(-1).isHeld && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        await refuses('slow.png: stopped before it was drawn; drop or choose it again')
+        equal(await page.evaluate(() => globalThis.workers.length), length + 1, 'workers')
+        await follows()
+    }],
+    ['a board whose first picture is stopped is said to keep its own, and follows what comes then', async () => {
+        await connect()
+        await says('Disconnected')
+        await press('Knob')
+        await isFree()
+        await page.evaluate(() => {
+            const worker = globalThis.workers.at(-1)
+            worker.postMessage = message => {
+                worker.isHeld ||= message.method === 'colour'
+                Worker.prototype.postMessage.call(worker, message)
+            }
+        })
+        await connect()
+        await browser.until(() => globalThis.workers.at(-1).isHeld && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        await says('A board keeps its picture: stopped')
+        await press('Dial')
+        await says('16 bytes a frame')
+        await follows()
+    }],
     ['disconnected, the panel is given back and the picture is the page\'s own', async () => {
         await connect()
         await says('Disconnected')

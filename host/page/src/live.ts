@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A Pico on the desk that follows the page. While one is connected the picture is what it draws: its size, RGB565 without dither, by
 // its tables from 8-bit normals; or the mesh that it holds.
-import { ask, workersSoFar } from './client'
+import { ask, stopped, workersSoFar } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
 import { filesVersion, isHere } from './kept'
-import { onDrawn, redraw, setView } from './picture'
+import { onDrawn, redraw, setView, settled } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
 import { beginMotion, pointTo, towards } from './sun'
@@ -52,7 +52,7 @@ async function connect(device: UsbDevice): Promise<void> {
     button.disabled = true
     say('Connecting…')
     try {
-        pico = await Pico.connect(usb!, device, bytes => ask('deviceSize', bytes))
+        pico = await Pico.connect(usb!, device, bytes => ask('deviceSize', bytes).catch(() => ask('deviceSize', bytes))) // stopped: another worker
         isLost = false
         follows(pico)
         button.textContent = 'Disconnect'
@@ -64,7 +64,8 @@ async function connect(device: UsbDevice): Promise<void> {
 }
 
 /** It draws the page's picture, from now on. */
-function follows({ width, height, mesh, takesMaps }: Pico): void {
+function follows(to: Pico): void {
+    const { width, height, mesh, takesMaps } = to
     has = { map: '', material: '' }
     frames = []
     setView(async state => {
@@ -81,6 +82,10 @@ function follows({ width, height, mesh, takesMaps }: Pico): void {
         return mapOnDevice(state, width, height)
     })
     void redraw()
+    void settled().then(refusal => {
+        if (refusal === stopped && pico === to)
+            say(`${to.name} keeps its picture: stopped. It is sent the next one.`)
+    })
 }
 
 let held = { of: '', split: 0 }
