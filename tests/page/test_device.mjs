@@ -354,6 +354,55 @@ run([
         await board({ delay: 0 })
         await follows()
     }],
+    ['a board that is plugged in again shows its own picture while an earlier connection still waits', async () => {
+        for (const first of ['to show it', 'with a light']) {
+            if (first === 'with a light') {
+                await page.click('#board-own')
+                await says('shows its own picture')
+            }
+            await board({ held: [] })
+            if (first === 'to show it')
+                await page.click('#board-own')
+            await browser.until(() => globalThis.board.held.length)
+            const old = await page.evaluateHandle(() => {
+                const { held } = globalThis.board
+                globalThis.board.plug(false)
+                Object.assign(globalThis.board, { held: null, lights: [], map: [], material: [] })
+                globalThis.board.plug(true)
+                return held
+            })
+            await says('16 bytes a frame')
+            await follows()
+            await page.click('#board-own')
+            await says('shows its own picture')
+            await old.evaluate(async held => {
+                held.forEach(fail => fail())
+                await new Promise(resolve => setTimeout(resolve, 400)) // until the page has asked whether that board is still there
+                globalThis.board.given = []
+            })
+            await browser.until(() => globalThis.board.given.length > 2)
+            await page.click('#board-own')
+            await says('16 bytes a frame')
+            await follows()
+        }
+    }],
+    ['a board that comes back while one is chosen is opened once', async () => {
+        await page.evaluate(() => {
+            globalThis.board.plug(false)
+            globalThis.board.opens = 0
+            globalThis.board.choosing = new Promise(resolve => { globalThis.chosen = resolve })
+        })
+        await says(sentences.unplugged)
+        await connect()
+        await page.evaluate(() => {
+            globalThis.board.plug(true)
+            globalThis.chosen()
+        })
+        await says('16 bytes a frame')
+        await follows()
+        await board({ choosing: null })
+        equal((await board()).opens, 1, 'how often it was opened')
+    }],
     ['a stalled transfer is said, and connecting again goes on', async () => {
         await board({ stalls: true })
         await page.focus('#handle-1')

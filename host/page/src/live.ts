@@ -41,7 +41,9 @@ async function choose(): Promise<void> {
         say(reason)
         return
     }
+    button.disabled = true // one that comes back meanwhile is not connected beside it
     const device = await usb!.requestDevice({ filters }).catch(() => undefined)
+    button.disabled = false
     if (device)
         await connect(device)
     else
@@ -122,6 +124,8 @@ function forget(): void {
     endLight()
     fromBoard.hidden = own.hidden = true
     own.setAttribute('aria-pressed', 'false')
+    own.disabled = gives = false // what still waits is the old one's
+    given = Promise.resolve()
     button.textContent = 'Connect a Pico'
     setView()
     void redraw()
@@ -151,7 +155,7 @@ usb?.addEventListener('disconnect', ({ device }) => {
         lose(new Trouble(sentences.unplugged))
 })
 usb?.addEventListener('connect', ({ device }) => {
-    if (!pico && isLost)
+    if (!pico && isLost && !button.disabled)
         void connect(device)
 })
 
@@ -223,14 +227,18 @@ own.onclick = async () => {
             own.setAttribute('aria-pressed', 'true')
             while (following === to) // the picture that is on its way
                 await new Promise(resolve => setTimeout(resolve, 10))
+        } else {
+            gives = false
         }
-        gives = begins
         await given // a light behind what comes now would be refused
+        if (pico !== to)
+            return
         await to.showOwn(begins)
         if (pico !== to)
             return
         if (begins) {
             say(`${to.name} shows its own picture under the light of this page: drag, Orbit or Tilt.`)
+            gives = true
             given = giveLights(to).catch(error => {
                 if (pico === to)
                     lose(error)
@@ -244,7 +252,8 @@ own.onclick = async () => {
         if (pico === to)
             lose(error as Error)
     } finally {
-        own.disabled = false
+        if (pico === to)
+            own.disabled = false
     }
 }
 
