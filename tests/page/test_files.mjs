@@ -307,6 +307,23 @@ run([
             said.push((await browser.draw([`height=old.png&gloss=gloss%20${i}.png`]))[0].refusal)
         equal(said.join('; '), 'gloss 0.png: this map is not here; drop or choose the file; ', 'what it says')
         await shownIsDrawn()
+        const told = await page.evaluate(async () => { // by both engines of the worker
+            const worker = globalThis.workers.at(-1), told = []
+            for (const [id, method] of [[-1, 'draw'], [-2, 'aside']])
+                for (const i of [0, 32]) {
+                    const answer = new Promise(resolve => worker.addEventListener('message', ({ data }) => { if (data.id === id) resolve(data.error ?? '') }))
+                    worker.postMessage({ id, method, args: [['--height=old.png', `--gloss=gloss ${i}.png`]] })
+                    told.push(await answer)
+                }
+            return told
+        })
+        equal(told.join('; '), Array(2).fill('gloss 0.png: this map is not here; drop or choose the file; ').join('; '), 'what the worker says')
+        await browser.drop({ 'normals.png': surfaces['grey8.png'].bytes }) // a surface, refused once it is drawn
+        await browser.until(() => document.getElementById('refusal').textContent.startsWith('normals.png: '))
+        check((await shownIsDrawn()).includes('--height=old.png'), 'the oldest file, which the refused one stood for')
+        await browser.set('control-n', '8')
+        await shownIsDrawn()
+        equal(await browser.text('refusal'), '', 'what it says')
         await page.evaluate(() => document.getElementById('stop').click()) // another worker has them, too
         await browser.set('control-n', '9')
         await shownIsDrawn()
