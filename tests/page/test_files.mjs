@@ -329,5 +329,44 @@ run([
         await shownIsDrawn()
         await page.removeScriptToEvaluateOnNewDocument(identifier)
     }],
+    ['two tabs keep files by name as one folder does: what one forgets or replaces another shows until it is loaded again', async () => {
+        const other = Object.assign(Object.create(browser), { page: await browser.browser.newPage() }), [old, newer] = ['grey8.png', 'grey16.png'].map(name => surfaces[name].bytes)
+        const drop = async (tab, name, bytes) => {
+            await tab.page.bringToFront()
+            await tab.page.evaluate(() => { delete document.body.dataset.kept })
+            await tab.drop({ [name]: bytes })
+            await tab.until(name => document.body.dataset.kept === name, name)
+        }
+        const shows = async bytes => {
+            command.put('shared.png', bytes)
+            check((await shownIsDrawn()).includes('--height=shared.png'), await browser.text('command'))
+        }
+        const again = async n => {
+            await page.bringToFront()
+            await page.evaluate(() => document.getElementById('stop').click()) // another worker
+            await browser.set('control-n', n)
+            await browser.until(n => document.body.dataset.drawn.includes(`n=${n}`), n)
+            await shows(old)
+        }
+        const load = async () => {
+            await browser.until(() => location.hash.slice(1) === document.body.dataset.state)
+            await page.reload()
+            await browser.until(() => document.body.dataset.drawn !== undefined)
+        }
+        await browser.go(start)
+        await other.go(start)
+        await drop(browser, 'shared.png', old)
+        await drop(other, 'shared.png', newer)
+        await again('11')
+        await load()
+        await shows(newer)
+        await drop(browser, 'shared.png', old)
+        for (let i = 0; i < 32; i++)
+            await drop(other, `many ${i}.png`, newer)
+        await again('12')
+        await load()
+        equal(await browser.text('refusal'), 'shared.png: this map is not here; drop or choose the file', 'what it says')
+        await other.page.close()
+    }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

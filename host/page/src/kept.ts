@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The user's files, kept in the browser over a reload: IndexedDB, which pages from a file have, too.
+// The user's files, kept in the browser over a reload: IndexedDB, which pages from a file have, too. Tabs share what is kept, by name, as
+// programs share a folder: what another tab replaces or forgets lasts here as long as the page.
 import { forget, give, Stopped } from './client'
 import { fileOf, isSurface, kinds } from './words'
 import type { Kind, State } from './words'

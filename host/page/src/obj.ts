@@ -39,7 +39,10 @@ function namesIn(mtl: string): string[] {
     return mtl.replace(/^[ \t]*#.*/gm, '').replace(/\\(\r\n?|\n)/g, ' ').split(/[\r\n]+/).map(line => line.trim().replace(/^\S+\s*/, '').replace(options, '').replace(/^.*[/\\]/, ''))
 }
 
+const libraryBytes = 1 << 24 // as the command has it
 async function textOf(file: File): Promise<string> {
+    if (file.size > libraryBytes)
+        throw new Error(`${file.name}: has more than 16 MB; choose the OBJ without it`)
     try {
         return await file.text()
     } catch (error) {
