@@ -329,6 +329,17 @@ run([
         await shownIsDrawn()
         await page.removeScriptToEvaluateOnNewDocument(identifier)
     }],
+    ['where the browser never answers what it keeps, an address is drawn or said to lack its file, and drops are taken', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => { IDBFactory.prototype.open = () => ({}) })
+        await browser.go('height=never.png')
+        equal(await browser.text('refusal'), 'never.png: this map is not here; drop or choose the file', 'what it says')
+        for (const name of ['grey8.png', 'grey16.png']) {
+            await browser.drop({ [name]: surfaces[name].bytes })
+            await browser.until(name => document.body.dataset.kept === name, name)
+            check((await shownIsDrawn()).includes(`--height=${name}`), name)
+        }
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+    }],
     ['two tabs keep files by name as one folder does: what one forgets or replaces another shows until it is loaded again', async () => {
         const other = Object.assign(Object.create(browser), { page: await browser.browser.newPage() }), [old, newer] = ['grey8.png', 'grey16.png'].map(name => surfaces[name].bytes)
         const drop = async (tab, name, bytes) => {

@@ -58,6 +58,7 @@ function open(): Promise<IDBDatabase> {
         request.onupgradeneeded = () => request.result.createObjectStore('files', { keyPath: 'name' })
         request.onsuccess = () => resolve(request.result)
         request.onerror = request.onblocked = () => reject(request.error)
+        setTimeout(reject, 4000) // some browsers never answer
     })
 }
 
