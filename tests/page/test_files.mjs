@@ -329,6 +329,15 @@ run([
         await shownIsDrawn()
         await page.removeScriptToEvaluateOnNewDocument(identifier)
     }],
+    ['a folder, or a file that is gone, is refused by its name', async () => {
+        await browser.go(start)
+        await page.evaluate(() => { Blob.prototype.arrayBuffer = () => Promise.reject(new DOMException('it is gone', 'NotFoundError')) })
+        for (const [name, files] of [['textures', ['textures']], ['quad.obj', ['quad.obj']], ['quad.mtl', ['quad.obj', 'quad.mtl']]]) {
+            await browser.drop(Object.fromEntries(files.map(file => [file, Buffer.from('v 0 0 0\n')])))
+            await browser.until(text => document.getElementById('refusal').textContent === text, `${name}: cannot be read (it is gone); is it a folder?`)
+        }
+        await shownIsDrawn()
+    }],
     ['where the browser never answers what it keeps, an address is drawn or said to lack its file, and drops are taken', async () => {
         const { identifier } = await page.evaluateOnNewDocument(() => { IDBFactory.prototype.open = () => ({}) })
         await browser.go('height=never.png')

@@ -329,7 +329,7 @@ run([
         for (const [name, where] of [['a.mtl', 'OBJ'], ['lava.png', 'MTL']])
             equal(await refused([mtl, file('lava.png'), file(name)]), `${name}: two of the files have this name; rename one, and change its name in the ${where}`, name)
         equal(await named('a.png', 'a.png'), 'a.mtl', 'two that it does not name')
-        equal(await refused([Object.assign(file('folder.mtl'), { text: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
+        equal(await refused([Object.assign(file('folder.mtl'), { arrayBuffer: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
         const large = size => refused([new File([new Uint8Array(size)], 'large.mtl')])
         equal(await large(2 ** 24), 'nothing was refused', 'the largest that is read')
         equal(await large(2 ** 24 + 1), 'large.mtl: has more than 16 MB; choose the OBJ without it', 'one that is too large')
