@@ -87,8 +87,8 @@ run([
         await browser.until(() => document.getElementById('refusal').textContent.startsWith('clothed.mtl: these are materials'))
         equal((await shownIsDrawn()).join(' '), state, 'the state after it')
         await page.evaluate(() => { // as that of a folder does
-            const { text } = Blob.prototype
-            Blob.prototype.text = function () { return this.name === 'folder.mtl' ? Promise.reject(new Error('no file')) : text.call(this) }
+            const { arrayBuffer } = Blob.prototype
+            Blob.prototype.arrayBuffer = function () { return this.name === 'folder.mtl' ? Promise.reject(new Error('no file')) : arrayBuffer.call(this) }
         })
         await browser.drop({ ...files, 'folder.mtl': '' })
         await browser.until(() => document.getElementById('refusal').textContent === 'folder.mtl: cannot be read (no file); is it a folder?')
