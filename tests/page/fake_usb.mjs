@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // navigator.usb with one board in it, for pages in a browser that has no device: fakeUsb runs in the page, and keeps what it is sent in
 // globalThis.board; with board.room it knows its light, with board.takesLight = false it takes none for its own picture (board.given), with board.mesh it holds a mesh, whose poses are kept as lights are; what it is sent takes board.delay ms, and board.rounds
-// counts what the page gives lights by: its pauses of 33 ms. While board.waits is a list, bulk transfers wait for the status that what they put there is called with, and nothing else comes of them. A real board, or the firmware, is in tests/pico.
+// counts what the page gives lights by: its pauses of 33 ms. While board.held is a list, requests wait for what they put there, and fail then; board.choosing is awaited before one is chosen. While board.waits is a list, bulk transfers wait for the status that what they put there is called with, and nothing else comes of them. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, waits: null, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, choosing: null, opens: 0, held: null, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, waits: null, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
     const { setTimeout: plain } = globalThis
     globalThis.setTimeout = (then, ms, ...rest) => {
         board.rounds += ms === 33
@@ -16,7 +16,10 @@ export function fakeUsb(width, height) {
         productName: 'A board', serialNumber: '17', opened: false,
         configuration: { interfaces: [0, 1].map(interfaceNumber => ({ interfaceNumber,
             alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: interfaceNumber + 1, direction: 'out', type: 'bulk' }] }] })) },
-        async open() { board.isPlugged || gone() },
+        async open() {
+            board.isPlugged || gone()
+            board.opens++
+        },
         async close() {},
         async claimInterface(number) { board.isPlugged && number === 1 && !board.isHeld || gone() },
         async releaseInterface() {},
@@ -36,6 +39,10 @@ export function fakeUsb(width, height) {
             return { status: 'ok', data: new DataView(Uint8Array.of(board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
         },
         async controlTransferOut({ request }, data) {
+            if (board.held) {
+                await new Promise(resolve => board.held.push(resolve))
+                gone()
+            }
             if (board.delay)
                 await new Promise(resolve => setTimeout(resolve, board.delay))
             board.isPlugged || gone()
@@ -77,7 +84,7 @@ export function fakeUsb(width, height) {
         listeners[isPlugged ? 'connect' : 'disconnect'].forEach(listener => listener({ device }))
     }
     Object.defineProperty(navigator, 'usb', { value: {
-        async requestDevice() { return board.isChosen ? device : Promise.reject(new DOMException('No device selected.', 'NotFoundError')) },
+        async requestDevice() { await board.choosing; return board.isChosen ? device : Promise.reject(new DOMException('No device selected.', 'NotFoundError')) },
         async getDevices() { return board.isPlugged ? [device] : [] },
         addEventListener(type, listener) { listeners[type].push(listener) },
     } })

@@ -350,6 +350,59 @@ run([
         await browser.until(() => [...document.querySelectorAll('#beside figcaption')].every(caption => caption.textContent))
         await page.click('#close-how')
     }],
+    ['an address whose file is stopped on its way to the worker gives way to what was there', async () => {
+        await browser.go(start)
+        await browser.drop({ 'kept.png': surfaces['grey8.png'].bytes })
+        await browser.until(() => document.body.dataset.kept === 'kept.png')
+        await browser.go(start)
+        const before = (await shownIsDrawn()).join(' ')
+        await page.evaluate(() => {
+            globalThis.workers[0].postMessage = function (message) {
+                this.isHeld ||= message.method === 'map'
+                Worker.prototype.postMessage.call(this, message)
+            }
+            location.hash = 'height=kept.png'
+        })
+        await browser.until(() => globalThis.workers[0].isHeld && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        equal((await shownIsDrawn()).join(' '), before, 'the state')
+        equal(await browser.text('refusal'), '', 'what it says')
+    }],
+    ['a picture of a material that is stopped is drawn with the next picture', async () => {
+        await browser.go(start)
+        await browser.until(() => document.getElementById('scenes').dataset.drawn !== undefined)
+        await page.evaluate(() => {
+            globalThis.workers[0].postMessage = function (message) {
+                this.isHeld ||= message.method === 'aside'
+                Worker.prototype.postMessage.call(this, message)
+            }
+        })
+        await browser.tab('material')
+        await page.evaluate(() => document.getElementById('stop').click())
+        await browser.set('control-n', '9')
+        await browser.until(() => [...document.querySelectorAll('#materials canvas')].every(canvas => canvas.getContext('2d').getImageData(36, 36, 1, 1).data[3]))
+    }],
+    ['a button that copies has its own word again, however often it is pressed; a picture of the stage that cannot be made is said', async () => {
+        await browser.go(start)
+        const title = await browser.text('copy-link')
+        await page.evaluate(() => {
+            const { setTimeout: plain } = globalThis
+            globalThis.ends = []
+            globalThis.setTimeout = (then, ms, ...rest) => ms === 1500 ? globalThis.ends.push(then) : plain(then, ms, ...rest)
+        })
+        for (const i of [1, 2]) {
+            await page.evaluate(() => document.getElementById('copy-link').click())
+            await browser.until(i => globalThis.ends.length === i, i)
+            check(await browser.text('copy-link') !== title, 'it does not say that it is copied')
+        }
+        await page.evaluate(() => globalThis.ends.forEach(end => end()))
+        equal(await browser.text('copy-link'), title, 'its word')
+        await page.evaluate(() => {
+            HTMLCanvasElement.prototype.toBlob = then => then(null)
+            document.getElementById('file-stage').click()
+        })
+        await browser.until(() => document.getElementById('file-status').textContent === 'The browser makes no picture of this size; choose a smaller panel or zoom')
+    }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)
         await browser.tab('output')

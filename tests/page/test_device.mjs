@@ -165,6 +165,44 @@ run([
         await press('Undo')
         await follows()
     }],
+    ['a file is stopped with the view that a board has of it, and the board goes on with what it had', async () => {
+        await follows()
+        const { length } = await page.evaluate(() => {
+            globalThis.workers.forEach(worker => {
+                worker.postMessage = message => {
+                    worker.isHeld ||= message.method === 'colour'
+                    Worker.prototype.postMessage.call(worker, message)
+                }
+            })
+            return globalThis.workers
+        })
+        await browser.drop({ 'slow.png': png({ width: 50, height: 50, type: 2, depth: 8, sample: (x, y, k) => 4 * x + y + 9 * k }) })
+        await browser.until(() => globalThis.workers.at(-1).isHeld && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        await refuses('slow.png: stopped before it was drawn; drop or choose it again')
+        equal(await page.evaluate(() => globalThis.workers.length), length + 1, 'workers')
+        await follows()
+    }],
+    ['a board whose first picture is stopped is said to keep its own, and follows what comes then', async () => {
+        await connect()
+        await says('Disconnected')
+        await press('Knob')
+        await isFree()
+        await page.evaluate(() => {
+            const worker = globalThis.workers.at(-1)
+            worker.postMessage = message => {
+                worker.isHeld ||= message.method === 'colour'
+                Worker.prototype.postMessage.call(worker, message)
+            }
+        })
+        await connect()
+        await browser.until(() => globalThis.workers.at(-1).isHeld && !document.getElementById('busy').hidden)
+        await page.evaluate(() => document.getElementById('stop').click())
+        await says('A board keeps its picture: stopped')
+        await press('Dial')
+        await says('16 bytes a frame')
+        await follows()
+    }],
     ['disconnected, the panel is given back and the picture is the page\'s own', async () => {
         await connect()
         await says('Disconnected')
@@ -315,6 +353,55 @@ run([
         }
         await board({ delay: 0 })
         await follows()
+    }],
+    ['a board that is plugged in again shows its own picture while an earlier connection still waits', async () => {
+        for (const first of ['to show it', 'with a light']) {
+            if (first === 'with a light') {
+                await page.click('#board-own')
+                await says('shows its own picture')
+            }
+            await board({ held: [] })
+            if (first === 'to show it')
+                await page.click('#board-own')
+            await browser.until(() => globalThis.board.held.length)
+            const old = await page.evaluateHandle(() => {
+                const { held } = globalThis.board
+                globalThis.board.plug(false)
+                Object.assign(globalThis.board, { held: null, lights: [], map: [], material: [] })
+                globalThis.board.plug(true)
+                return held
+            })
+            await says('16 bytes a frame')
+            await follows()
+            await page.click('#board-own')
+            await says('shows its own picture')
+            await old.evaluate(async held => {
+                held.forEach(fail => fail())
+                await new Promise(resolve => setTimeout(resolve, 400)) // until the page has asked whether that board is still there
+                globalThis.board.given = []
+            })
+            await browser.until(() => globalThis.board.given.length > 2)
+            await page.click('#board-own')
+            await says('16 bytes a frame')
+            await follows()
+        }
+    }],
+    ['a board that comes back while one is chosen is opened once', async () => {
+        await page.evaluate(() => {
+            globalThis.board.plug(false)
+            globalThis.board.opens = 0
+            globalThis.board.choosing = new Promise(resolve => { globalThis.chosen = resolve })
+        })
+        await says(sentences.unplugged)
+        await connect()
+        await page.evaluate(() => {
+            globalThis.board.plug(true)
+            globalThis.chosen()
+        })
+        await says('16 bytes a frame')
+        await follows()
+        await board({ choosing: null })
+        equal((await board()).opens, 1, 'how often it was opened')
     }],
     ['a stalled transfer is said, and connecting again goes on', async () => {
         await board({ stalls: true })

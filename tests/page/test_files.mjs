@@ -87,8 +87,8 @@ run([
         await browser.until(() => document.getElementById('refusal').textContent.startsWith('clothed.mtl: these are materials'))
         equal((await shownIsDrawn()).join(' '), state, 'the state after it')
         await page.evaluate(() => { // as that of a folder does
-            const { text } = Blob.prototype
-            Blob.prototype.text = function () { return this.name === 'folder.mtl' ? Promise.reject(new Error('no file')) : text.call(this) }
+            const { arrayBuffer } = Blob.prototype
+            Blob.prototype.arrayBuffer = function () { return this.name === 'folder.mtl' ? Promise.reject(new Error('no file')) : arrayBuffer.call(this) }
         })
         await browser.drop({ ...files, 'folder.mtl': '' })
         await browser.until(() => document.getElementById('refusal').textContent === 'folder.mtl: cannot be read (no file); is it a folder?')
@@ -307,10 +307,86 @@ run([
             said.push((await browser.draw([`height=old.png&gloss=gloss%20${i}.png`]))[0].refusal)
         equal(said.join('; '), 'gloss 0.png: this map is not here; drop or choose the file; ', 'what it says')
         await shownIsDrawn()
+        const told = await page.evaluate(async () => { // by both engines of the worker
+            const worker = globalThis.workers.at(-1), told = []
+            for (const [id, method] of [[-1, 'draw'], [-2, 'aside']])
+                for (const i of [0, 32]) {
+                    const answer = new Promise(resolve => worker.addEventListener('message', ({ data }) => { if (data.id === id) resolve(data.error ?? '') }))
+                    worker.postMessage({ id, method, args: [['--height=old.png', `--gloss=gloss ${i}.png`]] })
+                    told.push(await answer)
+                }
+            return told
+        })
+        equal(told.join('; '), Array(2).fill('gloss 0.png: this map is not here; drop or choose the file; ').join('; '), 'what the worker says')
+        await browser.drop({ 'normals.png': surfaces['grey8.png'].bytes }) // a surface, refused once it is drawn
+        await browser.until(() => document.getElementById('refusal').textContent.startsWith('normals.png: '))
+        check((await shownIsDrawn()).includes('--height=old.png'), 'the oldest file, which the refused one stood for')
+        await browser.set('control-n', '8')
+        await shownIsDrawn()
+        equal(await browser.text('refusal'), '', 'what it says')
         await page.evaluate(() => document.getElementById('stop').click()) // another worker has them, too
         await browser.set('control-n', '9')
         await shownIsDrawn()
         await page.removeScriptToEvaluateOnNewDocument(identifier)
+    }],
+    ['a folder, or a file that is gone, is refused by its name', async () => {
+        await browser.go(start)
+        await page.evaluate(() => { Blob.prototype.arrayBuffer = () => Promise.reject(new DOMException('it is gone', 'NotFoundError')) })
+        for (const [name, files] of [['textures', ['textures']], ['quad.obj', ['quad.obj']], ['quad.mtl', ['quad.obj', 'quad.mtl']]]) {
+            await browser.drop(Object.fromEntries(files.map(file => [file, Buffer.from('v 0 0 0\n')])))
+            await browser.until(text => document.getElementById('refusal').textContent === text, `${name}: cannot be read (it is gone); is it a folder?`)
+        }
+        await shownIsDrawn()
+    }],
+    ['where the browser never answers what it keeps, an address is drawn or said to lack its file, and drops are taken', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => { IDBFactory.prototype.open = () => ({}) })
+        await browser.go('height=never.png')
+        equal(await browser.text('refusal'), 'never.png: this map is not here; drop or choose the file', 'what it says')
+        for (const name of ['grey8.png', 'grey16.png']) {
+            await browser.drop({ [name]: surfaces[name].bytes })
+            await browser.until(name => document.body.dataset.kept === name, name)
+            check((await shownIsDrawn()).includes(`--height=${name}`), name)
+        }
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+    }],
+    ['two tabs keep files by name as one folder does: what one forgets or replaces another shows until it is loaded again', async () => {
+        const other = Object.assign(Object.create(browser), { page: await browser.browser.newPage() }), [old, newer] = ['grey8.png', 'grey16.png'].map(name => surfaces[name].bytes)
+        const drop = async (tab, name, bytes) => {
+            await tab.page.bringToFront()
+            await tab.page.evaluate(() => { delete document.body.dataset.kept })
+            await tab.drop({ [name]: bytes })
+            await tab.until(name => document.body.dataset.kept === name, name)
+        }
+        const shows = async bytes => {
+            command.put('shared.png', bytes)
+            check((await shownIsDrawn()).includes('--height=shared.png'), await browser.text('command'))
+        }
+        const again = async n => {
+            await page.bringToFront()
+            await page.evaluate(() => document.getElementById('stop').click()) // another worker
+            await browser.set('control-n', n)
+            await browser.until(n => document.body.dataset.drawn.includes(`n=${n}`), n)
+            await shows(old)
+        }
+        const load = async () => {
+            await browser.until(() => location.hash.slice(1) === document.body.dataset.state)
+            await page.reload()
+            await browser.until(() => document.body.dataset.drawn !== undefined)
+        }
+        await browser.go(start)
+        await other.go(start)
+        await drop(browser, 'shared.png', old)
+        await drop(other, 'shared.png', newer)
+        await again('11')
+        await load()
+        await shows(newer)
+        await drop(browser, 'shared.png', old)
+        for (let i = 0; i < 32; i++)
+            await drop(other, `many ${i}.png`, newer)
+        await again('12')
+        await load()
+        equal(await browser.text('refusal'), 'shared.png: this map is not here; drop or choose the file', 'what it says')
+        await other.page.close()
     }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],
 ], () => browser.close())

@@ -148,6 +148,25 @@ run([
         await pico.sendLight(new Uint8Array(16))
         equal(statuses.length, 0, 'statuses that are left')
     }],
+    ['a device that opens after it was given up is closed then, unless it is connected again', async () => {
+        for (const again of [false, true]) {
+            let open, isOpen = false
+            const device = hostile()
+            Object.assign(device, { open: () => new Promise(resolve => { open = () => { isOpen = true; resolve() } }), close: async () => { isOpen = false },
+                claimInterface: async () => {}, releaseInterface: async () => {}, configuration: { interfaces: [{ interfaceNumber: 1, alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: 2, direction: 'out', type: 'bulk' }] }] }] },
+                controlTransferIn: async ({ request }) => request === 0xa4 ? { status: 'stall' } : { status: 'ok', data: new DataView(Uint8Array.from(request === 0xa0 ? descriptor(240, 240) : [0]).buffer) },
+                controlTransferOut: async () => ({ status: 'ok' }) })
+            const connect = () => Pico.connect({ getDevices: async () => [device] }, device, bytes => engine.deviceSize(bytes), patience)
+            equal(await connect().then(() => '', error => error.message), sentences.notOpened, 'what it says')
+            const late = open
+            const pico = again ? (device.open = async () => { isOpen = true }, await connect()) : undefined
+            late()
+            await new Promise(setImmediate)
+            equal(isOpen, again, `whether it is open, connected again: ${again}`)
+            await pico?.close()
+            equal(isOpen, false, 'whether it is open at the end')
+        }
+    }],
     ['any descriptor is a size that glint shades, or none', () => {
         equal(engine.deviceSize(descriptor(240, 320)), 240 << 16 | 320, 'a display')
         equal(engine.deviceSize(descriptor(sideMax, pixelsMax / sideMax)), (sideMax << 16 | pixelsMax / sideMax) >>> 0, 'the largest')

@@ -205,6 +205,45 @@ run([
         same(engine, ['--height=grey16.png', '--size=40x30'])
         same(engine, words)
     }],
+    ['files that come, change and go take no more memory and no other engine, and leave what a board follows', () => {
+        const engine = engineWithMaps(), words = ['--height=grey16.png', '--size=40x30'], { Instance } = WebAssembly
+        const map = { width: 500, height: 500, channels: 1, bits: 8, palette: false, samples: new Uint16Array(250000).fill(999) }
+        const parts = Object.entries(clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: x => 30 * x }))).map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) }))
+        same(engine, words)
+        let count = 0
+        WebAssembly.Instance = class extends Instance {
+            constructor(...of) {
+                super(...of)
+                count++
+            }
+        }
+        const round = i => {
+            for (let twice = 2; twice--;) {
+                engine.addMap(`many ${i}.png`, map)
+                engine.addMesh('clothed.obj', together(parts))
+            }
+            engine.forget(`many ${i}.png`)
+            engine.forget('clothed.obj')
+        }
+        round(0)
+        const before = engine.module.bytes().length
+        for (let i = 1; i < 100; i++)
+            round(i)
+        WebAssembly.Instance = Instance
+        equal(count, 0, 'other engines')
+        equal(engine.module.bytes().length, before, 'bytes of memory')
+        const { width, height } = same(engine, words)
+        engine.addMap('one more.png', map)
+        engine.draw(words)
+        engine.forget('one more.png')
+        same(engine, words)
+        engine.draw([...words, '--format=rgb565', '--path=colour-int8', '--color=9,9,9'])
+        engine.forget('grey8.png')
+        check(engine.device(width, height, { map: '', material: '' }), 'the board gets nothing after a file is forgotten')
+        engine.draw(words)
+        engine.forget('grey16.png')
+        check(refusal(() => engine.draw(words)).startsWith('grey16.png: this map is not here'), 'what was drawn last is drawn again without its file')
+    }],
     ['a file for which there is no memory is refused by its name, and every other one stays', () => {
         const engine = engineWithMaps(), none = { buffer: new ArrayBuffer(8), byteOffset: 0, byteLength: 2 ** 40, length: 2 ** 40 }
         same(engine, ['--height=grey8.png'])
@@ -290,7 +329,10 @@ run([
         for (const [name, where] of [['a.mtl', 'OBJ'], ['lava.png', 'MTL']])
             equal(await refused([mtl, file('lava.png'), file(name)]), `${name}: two of the files have this name; rename one, and change its name in the ${where}`, name)
         equal(await named('a.png', 'a.png'), 'a.mtl', 'two that it does not name')
-        equal(await refused([Object.assign(file('folder.mtl'), { text: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
+        equal(await refused([Object.assign(file('folder.mtl'), { arrayBuffer: () => Promise.reject(new Error('no file')) })]), 'folder.mtl: cannot be read (no file); is it a folder?', 'a folder')
+        const large = size => refused([new File([new Uint8Array(size)], 'large.mtl')])
+        equal(await large(2 ** 24), 'nothing was refused', 'the largest that is read')
+        equal(await large(2 ** 24 + 1), 'large.mtl: has more than 16 MB; choose the OBJ without it', 'one that is too large')
     }],
     ['two names of an OBJ that are one file without their folders are warned of', () => {
         const engine = new Engine(program), texts = Object.entries(clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: x => 30 * x })))

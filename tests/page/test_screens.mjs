@@ -132,6 +132,21 @@ run([
         const share = await page.evaluate(() => document.getElementById('stage').clientHeight / innerHeight)
         check(share >= .4, `the stage has ${share} of the height`)
     }]),
+    ['every button below the picture is reached in windows of any width, while work goes on', async () => {
+        for (const width of [320, 400, 560, 600, 640, 700, 800, 1000]) {
+            await browser.resize(width, 480)
+            await browser.go(start.replace('coin', 'teapot'))
+            await browser.until(() => !document.getElementById('turn').hidden)
+            await page.evaluate(() => globalThis.workers.forEach(worker => { worker.isHeld = true }))
+            await browser.set('control-zoom', '2')
+            await browser.until(() => !document.getElementById('busy').hidden)
+            equal(await page.evaluate(() => [...document.querySelectorAll('.bar button')].filter(button => button.checkVisibility()).filter(button => {
+                button.scrollIntoView()
+                const { x, y, width, height } = button.getBoundingClientRect()
+                return !button.contains(document.elementFromPoint(x + width / 2, y + height / 2))
+            }).map(({ id }) => id).join()), '', `out of reach at ${width}`)
+        }
+    }],
     ['an address with ?embed shows the stage alone', async () => {
         await page.goto('about:blank')
         await page.goto(`${browser.url}?embed#${start}`)

@@ -107,6 +107,30 @@ const uint8_t *files_mesh(const char *name, size_t *len)
     return place ? place->bytes : NULL;
 }
 
+void files_remove(const char *name)
+{
+    for (struct held **at = &held, *gone; (gone = *at) != NULL;) {
+        if (strcmp(gone->image.name, name) != 0) {
+            at = &gone->next;
+            continue;
+        }
+        *at = gone->next;
+        free(gone->image.samples);
+        free(gone->image.name);
+        free(gone);
+    }
+    for (struct held_mesh **at = &meshes, *gone; (gone = *at) != NULL;) {
+        if (strcmp(gone->name, name) != 0) {
+            at = &gone->next;
+            continue;
+        }
+        *at = gone->next;
+        free(gone->bytes);
+        free(gone->name);
+        free(gone);
+    }
+}
+
 /* ---- files that are written ---- */
 
 enum { WRITTEN_MAX = 4 };

@@ -16,6 +16,9 @@ bool files_has_image(const char *name);
 void files_add_mesh(const char *name, uint8_t *bytes, size_t len);
 const uint8_t *files_mesh(const char *name, size_t *len); /* NULL: there is none */
 
+/* A picture or mesh of this name, if there is one. */
+void files_remove(const char *name);
+
 /* What was written and closed, in that order. */
 struct file {
     char *name, *bytes;

@@ -52,6 +52,12 @@ void page_mesh_file(char *name, uint8_t *bytes, size_t len)
     free(name);
 }
 
+void page_forget(char *name)
+{
+    files_remove(name);
+    free(name);
+}
+
 /* ---- the options of glint render, but for its outputs ---- */
 
 static error_t parse_option(int key, char *text, struct argp_state *argp_state)

@@ -21,6 +21,9 @@ void PAGE_EXPORT(page_image)(char *name, uint32_t width, uint32_t height, uint32
 /* A mesh's file. */
 void PAGE_EXPORT(page_mesh_file)(char *name, uint8_t *bytes, size_t len);
 
+/* No map or mesh has this name from now on; the picture that was drawn of it stays. */
+void PAGE_EXPORT(page_forget)(char *name);
+
 /* What options take by name: lines of a list (models, formats, paths, materials, scenes), a name, its title, what it means, its
  * formula, with tabs between. */
 const char *PAGE_EXPORT(page_lists)(void);

@@ -85,29 +85,30 @@ export class Engine {
         const maps = named.filter(({ name }) => isPng(name)).map(({ name: of, bytes }): [string, Map16] => (checkTexture(of, bytes), [`${name}/${of}`, readPng(of, bytes)]))
         const held = isGltf(name) ? readGltf(name, bytes) : mesh.bytes
         this.add(name, () => {
-            const had = this.drop(name, false)
-            this.meshes.set(name, held)
-            for (const { name: of, bytes } of named.filter(({ name }) => !isPng(name)))
-                this.meshes.set(`${name}/${of}`, bytes)
-            maps.forEach(([of, map]) => this.maps.set(of, map))
-            if (had || named.length)
-                this.begin()
-            else
-                this.handMesh(name, held)
+            this.drop(name, false)
+            for (const [of, bytes] of [[name, held], ...named.filter(({ name }) => !isPng(name)).map(({ name: of, bytes }) => [`${name}/${of}`, bytes])] as [string, Uint8Array<ArrayBuffer>][]) {
+                this.meshes.set(of, bytes)
+                this.handMesh(of, bytes)
+            }
+            for (const [of, map] of maps) {
+                this.maps.set(of, map)
+                this.hand(of, map)
+            }
         })
     }
 
     /** As if it had never been added. */
     forget(name: string): void {
-        if (this.drop(name, true))
-            this.restore()
+        this.guard(() => this.drop(name, true))
+        if (this.drawn.some(word => word.endsWith(`=${name}`))) // what is kept of it must not be drawn again
+            this.surface = this.material = ''
     }
 
     /** What came with a mesh of this name, or all of that name. */
-    private drop(name: string, all: boolean): boolean {
+    private drop(name: string, all: boolean): void {
         const gone = [...this.meshes.keys(), ...this.maps.keys()].filter(key => key.startsWith(`${name}/`) || all && key === name)
         gone.forEach(key => [this.meshes, this.maps].forEach(files => files.delete(key)))
-        return gone.length > 0
+        gone.forEach(key => this.module.call.page_forget(this.name(key)))
     }
 
     /** Where that fails, for want of memory, all files are as they were. */
@@ -204,7 +205,7 @@ export class Engine {
     }
 
     curve(model: string, n: number, count: number, degrees: number): Curve {
-        const rows = this.module.copy(this.module.call.page_curve(this.module.put(new TextEncoder().encode(`${model}\0`)), n, count, degrees), 24 * count)
+        const rows = this.module.copy(this.module.call.page_curve(this.name(model), n, count, degrees), 24 * count)
         const row = (i: number) => [...new Float64Array(rows.buffer, 8 * count * i, count)]
         return { library: row(0), double: row(1), blinn: row(2) }
     }
@@ -292,14 +293,18 @@ export class Engine {
         return call(this.module.put(bytes), bytes.length)
     }
 
+    private name(text: string): number {
+        return this.module.put(new TextEncoder().encode(text + '\0'))
+    }
+
     private handMesh(name: string, bytes: Uint8Array): void {
-        const at = this.module.put(new TextEncoder().encode(name + '\0'))
+        const at = this.name(name)
         this.module.call.page_mesh_file(at, this.module.put(bytes), bytes.length)
     }
 
     private hand(name: string, map: Map16): void {
         const { module } = this
-        const at = module.put(new TextEncoder().encode(name + '\0'))
+        const at = this.name(name)
         const samples = module.put(new Uint8Array(map.samples.buffer, map.samples.byteOffset, map.samples.byteLength))
         module.call.page_image(at, map.width, map.height, map.channels, map.bits, map.palette ? 1 : 0, samples)
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The user's files, kept in the browser over a reload: IndexedDB, which pages from a file have, too.
-import { forget, give } from './client'
+// The user's files, kept in the browser over a reload: IndexedDB, which pages from a file have, too. Tabs share what is kept, by name, as
+// programs share a folder: what another tab replaces or forgets lasts here as long as the page.
+import { forget, give, Stopped } from './client'
 import { fileOf, isSurface, kinds } from './words'
 import type { Kind, State } from './words'
 
@@ -57,6 +58,7 @@ function open(): Promise<IDBDatabase> {
         request.onupgradeneeded = () => request.result.createObjectStore('files', { keyPath: 'name' })
         request.onsuccess = () => resolve(request.result)
         request.onerror = request.onblocked = () => reject(request.error)
+        setTimeout(reject, 4000) // some browsers never answer
     })
 }
 
@@ -82,7 +84,7 @@ async function keptBytes(name: string): Promise<Uint8Array<ArrayBuffer> | undefi
     }
 }
 
-/** Gives the worker the files that the state names; returns those which are nowhere. */
+/** Gives the worker the files that the state names; returns those which are nowhere. Throws where it is stopped. */
 export async function missingOf(state: State): Promise<Kind[]> {
     const missing: Kind[] = []
     for (const kind of kinds) {
@@ -90,7 +92,10 @@ export async function missingOf(state: State): Promise<Kind[]> {
         if (name === undefined || here.has(name))
             continue
         const bytes = await keptBytes(name)
-        const isGiven = bytes && await putFile(name, kind, bytes).then(() => true, () => false)
+        const isGiven = bytes && await putFile(name, kind, bytes).then(() => true, error => {
+            if (error instanceof Stopped)
+                throw error
+        })
         if (!isGiven)
             missing.push(kind)
     }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A Pico on the desk that follows the page. While one is connected the picture is what it draws: its size, RGB565 without dither, by
 // its tables from 8-bit normals; or the mesh that it holds.
-import { ask, workersSoFar } from './client'
+import { ask, stopped, workersSoFar } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
 import { filesVersion, isHere } from './kept'
-import { onDrawn, redraw, setView } from './picture'
+import { onDrawn, redraw, setView, settled } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
 import { beginMotion, pointTo, towards } from './sun'
@@ -41,7 +41,9 @@ async function choose(): Promise<void> {
         say(reason)
         return
     }
+    button.disabled = true // one that comes back meanwhile is not connected beside it
     const device = await usb!.requestDevice({ filters }).catch(() => undefined)
+    button.disabled = false
     if (device)
         await connect(device)
     else
@@ -52,7 +54,7 @@ async function connect(device: UsbDevice): Promise<void> {
     button.disabled = true
     say('Connecting…')
     try {
-        pico = await Pico.connect(usb!, device, bytes => ask('deviceSize', bytes))
+        pico = await Pico.connect(usb!, device, bytes => ask('deviceSize', bytes).catch(() => ask('deviceSize', bytes))) // stopped: another worker
         isLost = false
         follows(pico)
         button.textContent = 'Disconnect'
@@ -64,7 +66,8 @@ async function connect(device: UsbDevice): Promise<void> {
 }
 
 /** It draws the page's picture, from now on. */
-function follows({ width, height, mesh, takesMaps }: Pico): void {
+function follows(to: Pico): void {
+    const { width, height, mesh, takesMaps } = to
     has = { map: '', material: '' }
     frames = []
     setView(async state => {
@@ -81,6 +84,10 @@ function follows({ width, height, mesh, takesMaps }: Pico): void {
         return mapOnDevice(state, width, height)
     })
     void redraw()
+    void settled().then(refusal => {
+        if (refusal === stopped && pico === to)
+            say(`${to.name} keeps its picture: stopped. It is sent the next one.`)
+    })
 }
 
 let held = { of: '', split: 0 }
@@ -117,6 +124,8 @@ function forget(): void {
     endLight()
     fromBoard.hidden = own.hidden = true
     own.setAttribute('aria-pressed', 'false')
+    own.disabled = gives = false // what still waits is the old one's
+    given = Promise.resolve()
     button.textContent = 'Connect a Pico'
     setView()
     void redraw()
@@ -146,7 +155,7 @@ usb?.addEventListener('disconnect', ({ device }) => {
         lose(new Trouble(sentences.unplugged))
 })
 usb?.addEventListener('connect', ({ device }) => {
-    if (!pico && isLost)
+    if (!pico && isLost && !button.disabled)
         void connect(device)
 })
 
@@ -218,14 +227,18 @@ own.onclick = async () => {
             own.setAttribute('aria-pressed', 'true')
             while (following === to) // the picture that is on its way
                 await new Promise(resolve => setTimeout(resolve, 10))
+        } else {
+            gives = false
         }
-        gives = begins
         await given // a light behind what comes now would be refused
+        if (pico !== to)
+            return
         await to.showOwn(begins)
         if (pico !== to)
             return
         if (begins) {
             say(`${to.name} shows its own picture under the light of this page: drag, Orbit or Tilt.`)
+            gives = true
             given = giveLights(to).catch(error => {
                 if (pico === to)
                     lose(error)
@@ -239,7 +252,8 @@ own.onclick = async () => {
         if (pico === to)
             lose(error as Error)
     } finally {
-        own.disabled = false
+        if (pico === to)
+            own.disabled = false
     }
 }
 

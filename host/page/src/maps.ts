@@ -4,7 +4,7 @@ import { stopped } from './client'
 import { disable } from './controls'
 import { byId, make } from './dom'
 import { checkTexture, isGltf } from './gltf'
-import { isObj, namedBy, together } from './obj'
+import { bytesIn, isObj, namedBy, together } from './obj'
 import { bytesOf, forgetFile, keepFile, putFile } from './kept'
 import { redraw, say, settled } from './picture'
 import { lookOfLogo } from './presets'
@@ -23,9 +23,8 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
             throw new Error(`${name}: these are materials; drop or choose them together with their OBJ`)
         if (kind === 'mesh' && !/\.(stl|obj)$/i.test(name) && !isGltf(name))
             throw new Error(`${name}: the page reads meshes from OBJ, binary STL and glTF files; glint render --mesh reads others, too`)
-        let bytes = new Uint8Array(await file.arrayBuffer())
-        if (named.length)
-            bytes = together(await Promise.all([file, ...named].map(async file => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) }))))
+        const parts = await Promise.all([file, ...named].map(async file => ({ name: file.name, bytes: await bytesIn(file) })))
+        const bytes = named.length ? together(parts) : parts[0].bytes
         if (kind === 'texture')
             checkTexture(name, bytes)
         const isLogo = await putFile(name, kind, bytes)

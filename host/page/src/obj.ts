@@ -39,12 +39,20 @@ function namesIn(mtl: string): string[] {
     return mtl.replace(/^[ \t]*#.*/gm, '').replace(/\\(\r\n?|\n)/g, ' ').split(/[\r\n]+/).map(line => line.trim().replace(/^\S+\s*/, '').replace(options, '').replace(/^.*[/\\]/, ''))
 }
 
-async function textOf(file: File): Promise<string> {
+/** A file that cannot be read is refused by its name. */
+export async function bytesIn(file: File): Promise<Uint8Array<ArrayBuffer>> {
     try {
-        return await file.text()
+        return new Uint8Array(await file.arrayBuffer())
     } catch (error) {
         throw new Error(`${file.name}: cannot be read (${(error as Error).message}); is it a folder?`)
     }
+}
+
+const libraryBytes = 1 << 24 // as the command has it
+async function textOf(file: File): Promise<string> {
+    if (file.size > libraryBytes)
+        throw new Error(`${file.name}: has more than 16 MB; choose the OBJ without it`)
+    return new TextDecoder().decode(await bytesIn(file))
 }
 
 /** Of the files beside an OBJ: its materials, and the pictures that they name. Throws where two have one name. */

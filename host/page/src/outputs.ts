@@ -57,8 +57,9 @@ async function savePicture(): Promise<string> {
 
 async function saveStage(): Promise<string> {
     const picture = await stagePicture()
-    if (picture)
-        save('stage.png', picture)
+    if (!picture)
+        throw new Error('The browser makes no picture of this size; choose a smaller panel or zoom')
+    save('stage.png', picture)
     return 'stage.png: the panel in its bezel'
 }
 
@@ -157,7 +158,7 @@ const files = groups.flatMap(([title, list]) => {
 const line = (state: State) => commandLine('glint render', [...wordsOf(state), '-o', 'glint.png'])
 
 async function copy(text: string, button: HTMLElement): Promise<void> {
-    const title = button.textContent
+    const title = button.dataset.title ??= button.textContent!
     try {
         await navigator.clipboard.writeText(text)
         button.textContent = 'Copied'

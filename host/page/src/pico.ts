@@ -38,6 +38,8 @@ const refused = (what: string, status: number) => new Trouble(`The device refuse
 const pieceBytes = 8192
 /** How many milliseconds a transfer, or a frame, may take. */
 const usualPatience = 10000
+/** Who has a device: nobody else closes it. */
+const users = new WeakMap<UsbDevice, Pico>()
 
 export class Pico {
     width = 0
@@ -53,8 +55,13 @@ export class Pico {
     /** sizeOf: width << 16 | height of a descriptor, 0 where it is none. */
     static async connect(usb: Usb, device: UsbDevice, sizeOf: (descriptor: Uint8Array) => number | Promise<number>, patience = usualPatience): Promise<Pico> {
         const it = new Pico(usb, device, patience)
+        users.set(device, it)
         try {
-            await it.within(device.open()).catch(() => { throw new Trouble(sentences.notOpened) })
+            const opening = device.open()
+            await it.within(opening).catch(() => {
+                opening.then(() => users.has(device) ? undefined : device.close()).catch(() => undefined) // too late
+                throw new Trouble(sentences.notOpened)
+            })
             if (!device.configuration)
                 await it.within(device.selectConfiguration(1))
             await it.findInterface(sizeOf)
@@ -153,6 +160,9 @@ export class Pico {
     }
 
     private async leave(): Promise<void> {
+        if (users.get(this.device) !== this)
+            return
+        users.delete(this.device)
         await this.within(this.device.releaseInterface(this.number)).catch(() => undefined)
         await this.within(this.device.close()).catch(() => undefined)
     }

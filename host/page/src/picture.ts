@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The picture: drawn by the worker, the latest state first; what takes long can be stopped.
-import { ask, stop, Stopped, waits } from './client'
+import { ask, stop, stopped, Stopped, waits } from './client'
 import { byId, show } from './dom'
 import type { Facts } from './engine'
 import { forgetOld, missingOf } from './kept'
@@ -104,6 +104,8 @@ export async function redraw(): Promise<void> {
         try {
             await draw(now)
         } catch {
+            refusal = stopped
+            asked.push(...waiting.splice(0)) // what they wait for is taken back
             isStopped()
         }
         document.body.dataset.drawn = fragmentOf(now)

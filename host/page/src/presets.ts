@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes and materials to choose by their pictures, which are drawn when they are first seen.
 import lists from 'glint:lists'
-import { ask } from './client'
+import { ask, Stopped } from './client'
 import { byId, capital, make, show, typeset } from './dom'
 import { onDrawn } from './picture'
 import { change, current, onChange } from './store'
@@ -52,7 +52,10 @@ function build(group: Group, into: string, presets: Preset[], chosen: (state: St
             if (drawn[i] === line.join())
                 continue
             drawn[i] = line.join()
-            const picture = await ask('aside', line).catch(() => undefined)
+            const picture = await ask('aside', line).catch(error => {
+                if (error instanceof Stopped)
+                    drawn[i] = ''
+            })
             if (picture)
                 show(canvases[i], picture.width, picture.height, picture.rgba)
         }

@@ -23,8 +23,11 @@ export const methods = {
         other.addMesh(name, bytes)
     },
     forget(name: string) {
-        engine.forget(name)
-        other.forget(name)
+        try {
+            engine.forget(name)
+        } finally {
+            other.forget(name)
+        }
     },
     draw: (words: string[]) => ({ ...engine.draw(words), facts: engine.facts() }),
     aside: (words: string[]) => other.draw(words),
