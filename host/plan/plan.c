@@ -258,9 +258,9 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
     }
     try_boxes(plan, now, boxes_of_tiles(changes, &price, plan->align_x, &plan->boxes));
     price.bytes = price_bytes;
-    if ((double)changes->count / (double)pixels * (double)box_bytes(plan->sink, whole) <
-        plan->drafts[plan->best].seconds * cost->bytes_per_s)
-        try_boxes(plan, now, boxes_of_spans(changes, &price, &plan->boxes));
+    const double limit = plan->drafts[plan->best].seconds * cost->bytes_per_s;
+    if ((double)changes->count / (double)pixels * (double)box_bytes(plan->sink, whole) < limit)
+        try_boxes(plan, now, boxes_of_spans(changes, &price, limit, &plan->boxes));
 }
 
 struct plan_result plan_frame(struct plan *plan, const uint8_t *last, const struct frame *now)
