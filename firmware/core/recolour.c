@@ -34,7 +34,8 @@ enum glint_err recolour_frame(struct recolour *recolour, const int32_t to_light[
     static const int32_t to_viewer[3] = {0, 0, 1};
     struct glint_light light;
     enum glint_err error = glint_light_directional(&light, to_light);
-    if (error == GLINT_OK && recolour->paint->output.format > GLINT_RGB565_SWAPPED)
+    const struct glint_output *output = &recolour->paint->output;
+    if (error == GLINT_OK && (output->format > GLINT_RGB565_SWAPPED || output->dither))
         error = GLINT_ERR_FORMAT;
     if (error == GLINT_OK)
         error = glint_paint_light(recolour->paint, &light, 1, to_viewer);

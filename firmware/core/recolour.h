@@ -16,7 +16,7 @@ struct recolour {
     const uint32_t
         *places;         /* of each pixel that can be seen, line by line, 2 bytes each as glint_draw_palette has them */
     uint16_t background; /* the pixel where there is no surface */
-    struct glint_paint *paint; /* of RGB565; each frame lights it */
+    struct glint_paint *paint; /* of RGB565, undithered; each frame lights it */
     uint16_t *colours;         /* `entries` */
     uint32_t *fetched[2];      /* a line of places each */
     uint16_t *bands[2];        /* PANEL_BAND lines each */

@@ -123,11 +123,13 @@ static void an_abandoned_frame_disturbs_no_other(void **state)
 static void what_cannot_be_lit_or_is_of_another_format_begins_no_frame(void **state)
 {
     (void)state;
-    const struct glint_output grey = {.format = GLINT_GREY8};
+    const struct glint_output grey = {.format = GLINT_GREY8}, dithered = {.format = GLINT_RGB565, .dither = true};
     start();
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 0}), GLINT_ERR_VECTOR);
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, -1}), GLINT_ERR_VECTOR);
     assert_int_equal(glint_paint_exact(&paint, &demo_gold, &grey), GLINT_OK);
+    assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 1}), GLINT_ERR_FORMAT);
+    assert_int_equal(glint_paint_exact(&paint, &demo_gold, &dithered), GLINT_OK); /* by places in the palette */
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 1}), GLINT_ERR_FORMAT);
     paint = (struct glint_paint){0};
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 1}), GLINT_ERR_ARG);
