@@ -198,7 +198,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
 /* Nearer to 0 a frame would take for ever, or a turn no time. */
 static double parse_time(const struct argp_state *state, const char *option, const char *text, double most)
 {
-    const double least = .001, value = parse_real(state, option, text, 0, most);
+    const double least = 1e-6, value = parse_real(state, option, text, 0, most);
     if (value > 0 && value < least)
         refuse(state, "%s: '%s' is too small; give 0, or %g or more", option, text, least);
     return value;
