@@ -186,6 +186,10 @@ static void check(const struct argp_state *state, struct request *request)
 {
     const bool to_stdout = is_stdout(request->path);
     check_mesh(state, request);
+    if (request->scene.has_grain && !request->scene.grain_map)
+        refuse(state, "--grain: of grain a FILE alone is baked; give another kind to %s",
+               request->scene.mesh.name ? "struct glint_mesh, by grain and use_grain"
+                                        : "struct glint_maps, by grain_kind and grain_at");
     if (request->n && !request->scene.filter)
         refuse(state, "-n is for --filter N; leave it out");
     if (request->format == BAKE_PALETTE && (request->scene.filter || request->scene.grain_map))

@@ -78,11 +78,11 @@ static bool read_page(const char *path, struct page *page)
         fail("%s: this is not a page; name the one that `make page` builds", path);
     FILE *stream = fopen(path, "rb");
     if (!stream)
-        return false;
+        fail("%s: %s", path, strerror(errno));
     page->len = (size_t)status.st_size;
     page->bytes = allocate(page->len, 1);
     if (fread(page->bytes, 1, page->len, stream) != page->len)
-        fail("%s: could not be read: %s", path, strerror(errno));
+        fail("%s: could not be read: %s", path, ferror(stream) ? strerror(errno) : "it became shorter");
     fclose(stream);
     return true;
 }
@@ -188,50 +188,71 @@ static bool send_some(struct client *client)
     return client->sent < client->head_len + client->body_len;
 }
 
-/* Where all places are taken, the connection that has been silent for longest makes room. */
-static void greet(struct client *clients, int socket)
+static void hang_up(struct client *client)
 {
-    struct client *place = clients;
-    for (int i = 0; i < CLIENTS_MAX && place->socket >= 0; i++)
-        if (clients[i].socket < 0 || clients[i].end < place->end)
-            place = &clients[i];
-    if (place->socket >= 0)
-        close(place->socket);
-    *place = (struct client){.socket = socket, .end = seconds_now() + WAIT_SECONDS};
+    close(client->socket);
+    client->socket = -1;
 }
 
-/* Waits for what comes next, and does it. */
+/* The connection that has been silent for longest; NULL: there is none. */
+static struct client *quietest(struct client *clients)
+{
+    struct client *found = NULL;
+    for (int i = 0; i < CLIENTS_MAX; i++)
+        if (clients[i].socket >= 0 && (!found || clients[i].end < found->end))
+            found = &clients[i];
+    return found;
+}
+
+/* Where all places are taken, or the system has no more, the quietest makes room; without a place the next call accepts. */
+static void greet(struct client *clients, int listener)
+{
+    struct client *place = clients, *const quiet = quietest(clients);
+    const int socket = accept4(listener, NULL, NULL, SOCK_CLOEXEC);
+    const bool has_none = socket < 0 && (errno == EMFILE || errno == ENFILE || errno == ENOBUFS || errno == ENOMEM);
+    if (socket < 0 && !(has_none && quiet) && errno != EINTR && errno != ECONNABORTED && errno != EAGAIN)
+        fail("no connection: %s", strerror(errno));
+    while (place < &clients[CLIENTS_MAX] && place->socket >= 0)
+        place++;
+    if (has_none || (socket >= 0 && place == &clients[CLIENTS_MAX])) {
+        hang_up(quiet);
+        place = quiet;
+    }
+    if (socket >= 0)
+        *place = (struct client){.socket = socket, .end = seconds_now() + WAIT_SECONDS};
+}
+
+/* Waits for what comes next, and does it. No more is waited for than is open: poll takes no more than may be. */
 static void serve(int listener, struct client *clients, const struct page *page)
 {
-    struct pollfd waits[CLIENTS_MAX + 1];
+    struct pollfd waits[CLIENTS_MAX + 1] = {{listener, POLLIN, 0}};
+    struct client *of[CLIENTS_MAX + 1];
+    nfds_t count = 1;
     double end = seconds_now() + 3600;
-    for (int i = 0; i < CLIENTS_MAX; i++) {
-        waits[i] =
-            (struct pollfd){clients[i].socket, clients[i].head_len ? POLLOUT : POLLIN, 0}; /* below 0: passed over */
-        if (clients[i].socket >= 0 && clients[i].end < end)
-            end = clients[i].end;
-    }
-    waits[CLIENTS_MAX] = (struct pollfd){listener, POLLIN, 0};
-    const double left = end - seconds_now();
-    if (poll(waits, CLIENTS_MAX + 1, left > 0 ? (int)(1000 * left) + 1 : 0) < 0)
-        return; /* a signal */
-    for (int i = 0; i < CLIENTS_MAX; i++) {
-        struct client *client = &clients[i];
-        bool stays = client->end > seconds_now();
-        if (client->socket >= 0 && waits[i].revents)
-            stays = client->head_len ? send_some(client) : read_some(client, page);
-        if (client->socket < 0 || stays)
+    for (struct client *client = clients; client < &clients[CLIENTS_MAX]; client++) {
+        if (client->socket < 0)
             continue;
-        close(client->socket);
-        client->socket = -1;
+        waits[count] = (struct pollfd){client->socket, client->head_len ? POLLOUT : POLLIN, 0};
+        of[count++] = client;
+        if (client->end < end)
+            end = client->end;
     }
-    if (!waits[CLIENTS_MAX].revents)
+    const double left = end - seconds_now();
+    if (poll(waits, count, left > 0 ? (int)(1000 * left) + 1 : 0) < 0) {
+        if (errno != EINTR)
+            fail("no connection: %s", strerror(errno));
         return;
-    const int socket = accept4(listener, NULL, NULL, SOCK_CLOEXEC);
-    if (socket >= 0)
-        greet(clients, socket);
-    else if (errno != EINTR && errno != ECONNABORTED && errno != EAGAIN)
-        fail("no connection: %s", strerror(errno));
+    }
+    for (nfds_t i = 1; i < count; i++) {
+        struct client *client = of[i];
+        bool stays = client->end > seconds_now();
+        if (waits[i].revents)
+            stays = client->head_len ? send_some(client) : read_some(client, page);
+        if (!stays)
+            hang_up(client);
+    }
+    if (waits[0].revents)
+        greet(clients, listener);
 }
 
 static int listen_at(long port)

@@ -9,6 +9,7 @@
 #include "base/message.h"
 #include "base/output.h"
 #include "base/parse.h"
+#include "base/text.h"
 #include "commands/commands.h"
 #include "paper/grain.h"
 #include "paper/joint.h"
@@ -126,7 +127,8 @@ static void print_claims(const struct paper *paper)
     json_array_foreach(paper->claims, i, claim)
         printf("%-22s %s: %s\n", json_string_value(json_object_get(claim, "verdict")),
                json_string_value(json_object_get(claim, "where")), json_string_value(json_object_get(claim, "claim")));
-    printf("%s/report.html\n", paper->directory);
+    text_print(stdout, paper->directory);
+    puts("/report.html");
 }
 
 static void print_result(const struct paper *paper, bool json)

@@ -110,7 +110,7 @@ static void draw_mesh(const struct render_options *options, struct drawn *drawn)
     if (options->gouraud && fitted->mesh.textures)
         fail("%s: --gouraud draws no textures; give --no-textures", mesh->name);
     if (options->gouraud)
-        drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings);
+        drawn->levels = mesh_gouraud(mesh, fitted, &view, drawn->shadings, behind);
     if (options->compare && !options->gouraud) {
         uint8_t *stepped = allocate(height, format_line_bytes(shading.format, width));
         mesh_canvas_draw_stepped(canvas, &view, stepped);

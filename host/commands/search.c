@@ -23,7 +23,8 @@ enum {
     OPTION_JSON
 };
 
-enum { BEST_MAX = 1000, ANGLES_MAX = 90001, VALUES_MAX = 1000, POINTS_MAX = 20000000 };
+/* 160 MB each of grid points and of powers. */
+enum { BEST_MAX = 1000, ANGLES_MAX = 90001, VALUES_MAX = 1000, POINTS_MAX = 20000000, POWERS_MAX = 20000000 };
 
 struct settings {
     struct search_options search;
@@ -91,6 +92,10 @@ static void check_size(const struct argp_state *state, const struct search_optio
     const double points = (double)search->angles * (double)search->shininess.count;
     if (points > POINTS_MAX)
         refuse(state, "--angles, --shininess: %.0f grid points; at most %d are allowed", points, POINTS_MAX);
+    const double powers = ((double)search->angles + (double)search->shininess.count) * (double)search->exponents.count;
+    if (powers > POWERS_MAX)
+        refuse(state, "--exponents: %zu of %zu angles and %zu shininess are %.0f powers; at most %d are allowed",
+               search->exponents.count, search->angles, search->shininess.count, powers, POWERS_MAX);
 }
 
 /* --joint has lists of its own where none are given, and limits; what goes with it alone is refused without it. */
@@ -165,8 +170,8 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         refuse(state, "unexpected argument '%s'; give options only", argument);
         return 0;
     case ARGP_KEY_END:
-        check_size(state, search);
         check_joint(state, settings);
+        check_size(state, search);
         if (settings->first_only && settings->coefficients)
             refuse(state, "--coefficients: stage 1 has all coefficients 1; leave it out, or ask for --stage 2");
         return 0;

@@ -195,6 +195,15 @@ static void check(const struct argp_state *state, struct stream_options *o)
         shading_options_check(state, &o->look, shading);
 }
 
+/* Nearer to 0 a frame would take for ever, or a turn no time. */
+static double parse_time(const struct argp_state *state, const char *option, const char *text, double most)
+{
+    const double least = 1e-6, value = parse_real(state, option, text, 0, most);
+    if (value > 0 && value < least)
+        refuse(state, "%s: '%s' is too small; give 0, or %g or more", option, text, least);
+    return value;
+}
+
 static error_t parse_option(int key, char *text, struct argp_state *state)
 {
     struct stream_options *o = state->input;
@@ -210,7 +219,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->output = parse_output(state, "-o", text);
         return 0;
     case KEY_FPS:
-        o->fps = parse_real(state, "--fps", text, 0, 1000);
+        o->fps = parse_time(state, "--fps", text, 1000);
         return 0;
     case KEY_FRAMES:
         o->frames = (unsigned long)parse_integer(state, "--frames", text, 1, 1000000000);
@@ -219,7 +228,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->orbit = parse_real(state, "--orbit", text, 0, 179);
         return 0;
     case KEY_PERIOD:
-        o->period = parse_real(state, "--period", text, 0, 1e6);
+        o->period = parse_time(state, "--period", text, 1e6);
         return 0;
     case KEY_LIGHTS:
         o->board_lights = strcmp(text, "board") == 0;

@@ -75,8 +75,9 @@ static bool has_look(const struct shading_options *look)
 {
     const struct scene_options *scene = &look->scene;
     const struct shading *shading = &look->shading;
-    return look->has_color || look->has_light || look->has_format || shading->space || shading->dither ||
-           scene->scene || !isnan(shading->ambient[0]) || !isnan(shading->diffuse[0]) || !isnan(shading->specular[0]);
+    return look->has_color || look->has_view || shading->n_across || look->has_light || look->has_format ||
+           shading->space || shading->dither || scene->scene || !isnan(shading->ambient[0]) ||
+           !isnan(shading->diffuse[0]) || !isnan(shading->specular[0]);
 }
 
 static void check(const struct argp_state *state, struct request *request)

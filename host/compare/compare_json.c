@@ -5,6 +5,7 @@
 #include <jansson.h>
 #include <math.h>
 
+#include "base/json.h"
 #include "base/message.h"
 #include "image/format.h"
 #include "models/models.h"
@@ -75,10 +76,10 @@ static json_t *textures_json(const struct fitted *fitted)
     for (unsigned i = 0; all && i < fitted->texture_count; i++) {
         const struct texture *texture = &fitted->textures[i];
         if (texture->name)
-            json_array_append_new(all, json_pack("{s:s, s:s, s:i, s:i, s:i, s:I}", "picture", texture->name, "format",
-                                                 texture->colors ? "palette" : "rgb565", "width", texture->texture.w,
-                                                 "height", texture->texture.h, "levels", texture->texture.levels,
-                                                 "bytes", (json_int_t)texture_bytes(texture)));
+            json_array_append_new(all, json_pack("{s:o, s:s, s:i, s:i, s:i, s:I}", "picture", json_text(texture->name),
+                                                 "format", texture->colors ? "palette" : "rgb565", "width",
+                                                 texture->texture.w, "height", texture->texture.h, "levels",
+                                                 texture->texture.levels, "bytes", (json_int_t)texture_bytes(texture)));
     }
     return all;
 }

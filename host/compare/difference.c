@@ -44,6 +44,7 @@ void difference_merge(struct difference *into, const struct difference *from)
                                    .sum_of_squares = into->sum_of_squares + from->sum_of_squares,
                                    .largest = larger ? from->largest : into->largest,
                                    .x = larger ? from->x : into->x,
-                                   .y = larger ? from->y : into->y};
+                                   .y = larger ? from->y : into->y,
+                                   .channel = larger ? from->channel : into->channel};
     *into = sum;
 }

@@ -214,7 +214,7 @@ struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, c
 
 /* The corners side by side are a scene of one line. */
 struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                            const struct shading *shadings)
+                            const struct shading *shadings, const uint8_t *behind)
 {
     const size_t corners = 3 * mesh->face_count, pixels = (size_t)view->width * view->height;
     const unsigned channels = format_channels(shadings->format);
@@ -223,9 +223,9 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
                          .normals = turned_normals(mesh, view),
                          .places = corner_places(mesh, fitted, view)};
     double *values = allocate(corners, channels * sizeof *values), (*colors)[3] = allocate(corners, sizeof *colors);
-    struct levels *levels = allocate(1, sizeof *levels);
-    *levels = (struct levels){.width = view->width, .height = view->height, .channels = channels};
-    levels->values = allocate(pixels, channels);
+    uint8_t *black = behind ? NULL : allocate(view->height, format_line_bytes(shadings->format, view->width));
+    struct levels *levels = levels_of_pixels(view->width, view->height, shadings->format, behind ? behind : black);
+    set_grain(&line, fitted, view);
     line.parts = allocate(corners, 1);
     line.albedo = fitted->colors ? allocate(corners, 3) : NULL;
     for (size_t i = 0; i < corners; i++) {
@@ -237,8 +237,6 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
     for (size_t i = 0; i < corners * channels; i++)
         colors[i / channels][i % channels] = values[i];
     struct mesh_raster *raster = mesh_raster(mesh, fitted, view, colors);
-    for (unsigned k = 0; k < channels; k++)
-        levels->max[k] = format_max(shadings->format, k);
     for (size_t i = 0; i < pixels * channels; i++) {
         const size_t at = i / channels;
         if (raster->numbers[at])
@@ -247,6 +245,7 @@ struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted
                                          shadings->dither, (uint32_t)(at % view->width), (uint32_t)(at / view->width));
     }
     mesh_raster_free(raster);
+    free(black);
     free(values);
     free(colors);
     free(line.normals);

@@ -21,8 +21,9 @@ struct mesh_coverage {
 struct scene *mesh_scene(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
                          const struct shading *shadings, struct mesh_coverage *coverage);
 
-/* The same mesh as Gouraud shading draws it, for comparison: colours in double precision at the corners, and between them interpolated. */
+/* The same mesh as Gouraud shading draws it, for comparison: colours in double precision at the corners, and between them interpolated.
+ * `behind`: pixels of the format; NULL: black. */
 struct levels *mesh_gouraud(const struct mesh *mesh, const struct fitted *fitted, const struct view *view,
-                            const struct shading *shadings);
+                            const struct shading *shadings, const uint8_t *behind);
 
 #endif

@@ -125,6 +125,7 @@ static void parse_grain(const struct argp_state *state, const char *text, struct
     const char *const centre = spun ? spun : sunray;
     o->has_grain = true;
     o->grain_map = NULL;
+    o->grain_is_axis = axis;
     o->grain = (struct grain){.kind = spun ? GLINT_GRAIN_SPUN : sunray ? GLINT_GRAIN_SUNRAY : GLINT_GRAIN_BRUSHED};
     if (centre && !*centre) {
         o->grain.at[0] = o->grain.at[1] = NAN;
@@ -133,9 +134,12 @@ static void parse_grain(const struct argp_state *state, const char *text, struct
     } else if (axis) {
         double *const at = o->grain.at;
         parse_reals(state, "--grain", axis, at, 3, -1e6, 1e6);
-        const double length = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
-        if (length == 0)
+        const double largest = fmax(fabs(at[0]), fmax(fabs(at[1]), fabs(at[2])));
+        if (largest == 0)
             refuse(state, "--grain: axis:0,0,0 is no direction");
+        for (int k = 0; k < 3; k++)
+            at[k] /= largest; /* whose squares may be too small or large */
+        const double length = sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
         for (int k = 0; k < 3; k++)
             at[k] /= length;
     } else if (brushed) {
@@ -158,7 +162,7 @@ static void check(const struct argp_state *state, struct scene_options *o)
         refuse(state, "--filter is for maps; it cannot be used with a mesh");
     if (o->mesh.name && o->has_grain && (o->grain_map || o->grain.kind != GLINT_GRAIN_BRUSHED))
         refuse(state, "--grain: a mesh takes brushed:ANGLE or axis:X,Y,Z");
-    if (!o->mesh.name && o->has_grain && o->grain.at[2] != 0)
+    if (!o->mesh.name && o->has_grain && o->grain_is_axis)
         refuse(state, "--grain: axis:X,Y,Z is for a mesh; choose brushed:ANGLE");
     const int sources = !!o->heights + !!o->normals + !!o->scene + (o->mesh.name && !o->mesh.built_in);
     if (sources > 1)

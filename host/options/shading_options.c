@@ -13,6 +13,7 @@
 #include "options/shading_options.h"
 #include "scene/filter.h"
 #include "scene/materials.h"
+#include "scene/scenes.h"
 
 /* The commands' own keys begin at 384. */
 enum key {
@@ -199,7 +200,8 @@ static void default_to(double values[3], const double defaults[3])
 static void check_grain(const struct argp_state *state, const struct shading_options *options)
 {
     const struct shading *shading = &options->shading;
-    const bool is_grained = shading->n_across && shading->n_across != shading->n;
+    const unsigned n = shading->n ? shading->n : scene_finish(options->scene.scene)->n;
+    const bool is_grained = shading->n_across && shading->n_across != n;
     char names[200] = "";
     if ((!is_grained && !options->scene.filter) || model_has_grain(shading->model))
         return;
@@ -249,6 +251,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->shading.format = (enum glint_format)parse_choice(state, "--format", "format", text, format_names);
         o->has_format = true;
         return 0;
+    case KEY_VIEW:
+        o->has_view = true;
+        return parse_shading(key, text, state, &o->shading);
     case ARGP_KEY_END:
         o->has_light = o->shading.lamp_count > 0;
         check_grain(state, o);

@@ -16,9 +16,10 @@ struct shading_options {
     bool has_color;           /* instead of an albedo */
     bool has_material;        /* whose values are in `shading` where no option says otherwise */
     unsigned material;        /* its place in preset_names */
-    bool has_light;           /* of any kind; otherwise the default one */
-    bool has_format;          /* otherwise RGB888, or the device's */
-    struct shading shading;   /* with gaps, which shading_of_options fills */
+    bool has_view;
+    bool has_light;         /* of any kind; otherwise the default one */
+    bool has_format;        /* otherwise RGB888, or the device's */
+    struct shading shading; /* with gaps, which shading_of_options fills */
 };
 
 /* A child of a command's argp; its input is a struct shading_options, which it fills. It refuses wrong values,

@@ -33,8 +33,10 @@ bool ranks_launched(struct ranks *ranks)
 {
     static const char *const counts[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", NULL};
     static const char *const indices[] = {"OMPI_COMM_WORLD_RANK", "PMI_RANK", NULL};
-    *ranks = (struct ranks){0, 1};
-    return number_of(counts, &ranks->count) && number_of(indices, &ranks->index);
+    int index, count;
+    const bool launched = number_of(counts, &count) && number_of(indices, &index) && index < count;
+    *ranks = launched ? (struct ranks){index, count} : (struct ranks){0, 1};
+    return launched;
 }
 
 static bool joined;

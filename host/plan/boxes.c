@@ -2,6 +2,7 @@
 #include "plan/boxes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/message.h"
 #include "plan/plan.h"
@@ -56,37 +57,66 @@ static void add_spans(const struct changes *changes, const struct box_price *pri
     }
 }
 
-/* From the top line down, each span joins the box for which that saves most, among those that end at most NEAR lines above
- * it; where joining any of them costs more than a rectangle of its own, it becomes a new box. Boxes end in the order of
- * their start only roughly, so `open` lags behind, which costs time but loses nothing. */
-double boxes_of_spans(const struct changes *changes, const struct box_price *price, struct boxes *boxes)
+/* Boxes that a span may join: the last of them that end at most LINES above it. */
+enum { NEAR_LINES = 8, NEAR_MAX = 128 };
+
+struct near {
+    size_t list[NEAR_MAX], count; /* places in the list of boxes, rising */
+};
+
+static void near_drop_above(struct near *near, const struct boxes *boxes, unsigned y)
 {
-    enum { NEAR = 8 }; /* lines */
-    struct boxes spans = {0};
-    size_t open = 0; /* those before it ended farther up */
-    for (unsigned y = changes->bounds.y; y < (unsigned)changes->bounds.y + changes->bounds.h; y++) {
-        add_spans(changes, price, (uint16_t)y, &spans);
-        for (size_t i = 0; i < spans.count; i++) {
-            size_t best = boxes->count;
-            double most = 0;
-            for (size_t k = open; k < boxes->count; k++) {
-                const double saved = saving(price, &boxes->list[k], &spans.list[i]);
-                if (saved >= most) {
-                    most = saved;
-                    best = k;
-                }
-            }
-            if (best < boxes->count)
-                boxes->list[best] = box_join(&boxes->list[best], &spans.list[i]);
-            else
-                boxes_add(boxes, spans.list[i]);
+    size_t kept = 0;
+    for (size_t i = 0; i < near->count; i++) {
+        const struct glint_box *box = &boxes->list[near->list[i]];
+        if ((unsigned)box->y + box->h + NEAR_LINES >= y)
+            near->list[kept++] = near->list[i];
+    }
+    near->count = kept;
+}
+
+static void near_add(struct near *near, size_t box)
+{
+    if (near->count == NEAR_MAX)
+        memmove(near->list, &near->list[1], --near->count * sizeof *near->list);
+    near->list[near->count++] = box;
+}
+
+/* Joins a span to the box for which that saves most, or makes it a box where joining any costs more than a rectangle of
+ * its own. What that adds to the price, which is never less than 0. */
+static double add_span(const struct box_price *price, const struct glint_box *span, struct near *near,
+                       struct boxes *boxes)
+{
+    size_t best = boxes->count;
+    double most = 0;
+    for (size_t i = 0; i < near->count; i++) {
+        const double saved = saving(price, &boxes->list[near->list[i]], span);
+        if (saved >= most) {
+            most = saved;
+            best = near->list[i];
         }
-        while (open < boxes->count && boxes->list[open].y + boxes->list[open].h + NEAR <= (int)y)
-            open++;
+    }
+    if (best < boxes->count) {
+        boxes->list[best] = box_join(&boxes->list[best], span);
+    } else {
+        near_add(near, best);
+        boxes_add(boxes, *span);
+    }
+    return price->rectangle_bytes + price->bytes(price->context, span) - most;
+}
+
+double boxes_of_spans(const struct changes *changes, const struct box_price *price, double limit, struct boxes *boxes)
+{
+    struct boxes spans = {0};
+    struct near near = {.count = 0};
+    double bytes = 0;
+    const unsigned end = (unsigned)changes->bounds.y + changes->bounds.h;
+    for (unsigned y = changes->bounds.y; y < end && bytes < limit; y++) {
+        near_drop_above(&near, boxes, y);
+        add_spans(changes, price, (uint16_t)y, &spans);
+        for (size_t i = 0; i < spans.count; i++)
+            bytes += add_span(price, &spans.list[i], &near, boxes);
     }
     free(spans.list);
-    double bytes = 0;
-    for (size_t i = 0; i < boxes->count; i++)
-        bytes += price->rectangle_bytes + price->bytes(price->context, &boxes->list[i]);
     return bytes;
 }

@@ -257,9 +257,9 @@ static void choose(struct plan *plan, const struct frame *now, const struct glin
     }
     try_boxes(plan, now, boxes_of_tiles(changes, &price, plan->align_x, &plan->boxes));
     price.bytes = price_bytes;
-    if ((double)changes->count / (double)pixels * (double)box_bytes(plan->sink, whole) <
-        plan->drafts[plan->best].seconds * cost->bytes_per_s)
-        try_boxes(plan, now, boxes_of_spans(changes, &price, &plan->boxes));
+    const double limit = plan->drafts[plan->best].seconds * cost->bytes_per_s;
+    if ((double)changes->count / (double)pixels * (double)box_bytes(plan->sink, whole) < limit)
+        try_boxes(plan, now, boxes_of_spans(changes, &price, limit, &plan->boxes));
 }
 
 /* The best of new drafts; the one under way stays until this frame is sent. */

@@ -47,13 +47,14 @@ static double weight_of(const struct scaling *scaling, double place, int64_t at)
     return 1 - fabs((double)at - place) / scaling->reach;
 }
 
-static struct scaling scaling_of(double first, double step, uint32_t count)
+/* Weights of the samples that stand for any of `of`; the others are 0. */
+static struct scaling scaling_of(double first, double step, uint32_t count, uint32_t of)
 {
     struct scaling scaling = {first, step, fmax(1, step), allocate(count, sizeof *scaling.weights)};
     for (uint32_t i = 0; i < count; i++) {
         const double place = first + i * step;
-        const int64_t end = (int64_t)floor(place + scaling.reach);
-        for (int64_t at = (int64_t)ceil(place - scaling.reach); at <= end; at++)
+        const int64_t begin = (int64_t)ceil(place - scaling.reach), end = (int64_t)floor(place + scaling.reach);
+        for (int64_t at = begin; begin < of && end >= 0 && at <= end; at++)
             scaling.weights[i] += weight_of(&scaling, place, at);
     }
     return scaling;
@@ -69,7 +70,7 @@ static void scale_line(const struct line *from, const struct line *to, const str
         double sum = 0;
         for (int64_t at = begin > 0 ? begin : 0; at <= last; at++)
             sum += weight_of(scaling, place, at) * from->samples[(size_t)at * from->apart];
-        to->samples[i * to->apart] = sum / scaling->weights[i];
+        to->samples[i * to->apart] = begin < from->count && end >= 0 ? sum / scaling->weights[i] : 0;
     }
 }
 
@@ -89,7 +90,7 @@ struct plane {
 static struct plane scaled(struct plane from, unsigned down, uint32_t count, double first, double step)
 {
     struct plane to = {NULL, down ? from.width : count, down ? count : from.height};
-    const struct scaling scaling = scaling_of(first, step, count);
+    const struct scaling scaling = scaling_of(first, step, count, down ? from.height : from.width);
     to.samples = allocate((size_t)to.width * to.height, sizeof *to.samples);
     for (size_t i = 0; i < (down ? from.width : from.height); i++)
         scale_line(&(struct line){from.samples + (down ? i : i * from.width), down ? from.width : 1,

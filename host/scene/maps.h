@@ -22,7 +22,7 @@ struct scene_options {
     const char *albedo, *gloss; /* for commands that take them to set; NULL: the scene's own */
     const char *grain_map;      /* FILE; NULL: */
     struct grain grain;         /* where has_grain; a centre that is NAN is the picture's middle */
-    bool has_grain;
+    bool has_grain, grain_is_axis;
     const char *backdrop; /* FILE; NULL: */
     uint8_t backdrop_color[3];
     bool has_backdrop;

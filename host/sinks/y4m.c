@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 #include "base/output.h"
 #include "sinks/frames.h"
 #include "sinks/outputs.h"
@@ -26,7 +25,7 @@ struct y4m {
 
 /* The rate as a fraction: the continued fraction of `fps`, up to the first convergent that is the same to 12 digits. Numbers
  * with a few decimals end there, as 29.97 = 2997/100. */
-static bool rate_fraction(double fps, long *numerator, long *denominator)
+static void rate_fraction(double fps, long *numerator, long *denominator)
 {
     const double limit = 2e9; /* readers take 31 bits */
     double p[2] = {1, floor(fps)}, q[2] = {0, 1}, rest = fps - floor(fps);
@@ -43,14 +42,12 @@ static bool rate_fraction(double fps, long *numerator, long *denominator)
     }
     *numerator = (long)p[1];
     *denominator = (long)q[1];
-    return *numerator > 0;
 }
 
 static struct sink *open_y4m(const struct sink_wish *wish)
 {
     long numerator, denominator;
-    if (!rate_fraction(wish->fps, &numerator, &denominator))
-        fail("--fps: %g is too low for a YUV4MPEG2 file; its lowest rate is 1 frame in 2000000000 seconds", wish->fps);
+    rate_fraction(wish->fps, &numerator, &denominator);
     struct y4m *y4m = allocate(1, sizeof *y4m);
     y4m->sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,
                               .align_x = 1,

@@ -39,6 +39,9 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"--scene sphere --address flash -o out/u.uf2", "--address: 'flash'"},
         {"--scene sphere --address '' -o out/u.uf2", "--address: ''"},
         {"--scene sphere --address 0x -o out/u.uf2", "--address: '0x'"},
+        {"--scene sphere --grain brushed:30 -o out/u.h", "struct glint_maps, by grain_kind and grain_at"},
+        {"--scene sphere --grain spun", "--grain: of grain a FILE alone is baked"},
+        {"--scene teapot --grain axis:0,0,1 -o out/u.h", "struct glint_mesh, by grain and use_grain"},
         {"--scene sphere --wrap -o out/u.h", "--wrap needs --height"},
         {"heights.png -o out/u.h", "'heights.png'"},
     };

@@ -189,6 +189,8 @@ static void malformed_numbers_are_refused_by_name(void **state)
         assert_refused(command, wanted);
     }
     assert_refused("$GLINT table -q 1,2", "-q: '1,2' is not a whole number from 0 to 16");
+    assert_refused("$GLINT table --across 60", "the highlight alone has --model, -n, -q and --clamp-peak");
+    assert_refused("$GLINT table --view 0,0,1", "the highlight alone has --model, -n, -q and --clamp-peak");
     assert_refused("$GLINT eval -n 0 1", "from 1 to 1000");
     assert_refused("$GLINT eval -n 1001 1", "from 1 to 1000");
 }

@@ -57,6 +57,21 @@ static void equal_pictures_have_infinite_psnr_and_known_errors_their_formula(voi
     assert_true(fabs(difference_mean(&d) - .5) < 1e-12);
 }
 
+static void joined_differences_keep_the_place_and_the_channel_of_the_largest(void **state)
+{
+    (void)state;
+    struct difference small = {0}, large = {0}, joined = {0};
+    difference_add(&small, .5, .25, 1, 2, 1);
+    difference_add(&large, .5, 0, 3, 4, 2);
+    difference_merge(&joined, &small);
+    difference_merge(&joined, &large);
+    difference_merge(&joined, &small);
+    assert_string_equal(difference_channel(&joined, 3), "blue");
+    assert_int_equal(joined.x, 3);
+    assert_int_equal(joined.y, 4);
+    assert_int_equal(joined.samples, 3);
+}
+
 static void what_is_masked_is_black_and_not_compared(void **state)
 {
     (void)state;
@@ -118,6 +133,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_wrong_sample_is_found_with_its_place),
         cmocka_unit_test(equal_pictures_have_infinite_psnr_and_known_errors_their_formula),
+        cmocka_unit_test(joined_differences_keep_the_place_and_the_channel_of_the_largest),
         cmocka_unit_test(what_is_masked_is_black_and_not_compared),
         cmocka_unit_test(the_error_map_shows_the_amplified_error),
         cmocka_unit_test(levels_are_shown_as_the_nearest_of_255),

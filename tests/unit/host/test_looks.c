@@ -147,6 +147,9 @@ static void a_grain_said_in_two_ways_is_drawn_alike(void **state)
         draw_grain(same[i][1], "out/b.ppm");
         assert_nearly_same("out/a.ppm", "out/b.ppm");
     }
+    assert_quiet("$GLINT render teapot --size 96x96 --across 7 --grain axis:1,-2,1 -o out/a.ppm && "
+                 "$GLINT render teapot --size 96x96 --across 7 --grain axis:1e-200,-2e-200,1e-200 -o out/b.ppm");
+    assert_same_file("out/a.ppm", "out/b.ppm");
     draw_grain("--grain sunray:20,30", "out/a.ppm");
     assert_false(same_file("out/a.ppm", "out/b.ppm"));
 }
@@ -154,6 +157,8 @@ static void a_grain_said_in_two_ways_is_drawn_alike(void **state)
 static void equal_shininess_along_and_across_is_no_grain(void **state)
 {
     (void)state;
+    assert_quiet("$GLINT render sphere --model gauss --across 60 -o out/a.png && "
+                 "$GLINT render coin --model gauss --across 30 -o out/a.png");
     assert_quiet("$GLINT render --scene sphere --size 96x96 -n 50 -o out/0.ppm && "
                  "$GLINT render --scene sphere --size 96x96 -n 50 --across 50 --grain spun -o out/1.ppm");
     assert_same_file("out/0.ppm", "out/1.ppm");
@@ -417,6 +422,7 @@ static void wrong_values_are_refused_with_the_reason(void **state)
         {"render --scene teapot --across 9 --light 1,1,1 --light 0,1,1 -o out/x.png", 2,
          "under one directional --light"},
         {"render --scene sphere --across 9 --grain axis:1,2,3 -o out/x.png", 2, "--grain: axis:X,Y,Z is for a mesh"},
+        {"render --scene sphere --across 9 --grain axis:1,2,0 -o out/x.png", 2, "--grain: axis:X,Y,Z is for a mesh"},
         {"render --scene coin --background '#12345' -o out/x.png", 2, "is not #rrggbb"},
         {"render --scene coin --background 1,2 -o out/x.png", 2, "--background"},
         {"render --scene coin --background 1,2,256 -o out/x.png", 2, "--background"},

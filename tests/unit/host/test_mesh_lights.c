@@ -113,6 +113,19 @@ static void paths_by_tables_refuse_other_lights_and_phong(void **state)
     assert_false(exists("no.ppm"));
 }
 
+static void gouraud_has_the_meshs_grain_and_the_background(void **state)
+{
+    (void)state;
+    static const char *const grains[] = {"brushed:0", "brushed:90", "axis:0,0,1"};
+    for (int i = 0; i < 3; i++) {
+        char line[300];
+        snprintf(line, sizeof line, "render teapot --gouraud --split 10 -n 50 --across 10 --grain %s", grains[i]);
+        assert_true(quality_of(line) > 45);
+    }
+    assert_quiet("$GLINT " TEAPOT "--gouraud --background 16,32,48 -o a.ppm");
+    assert_string_equal(run("tail -c 18900 a.ppm | head -c 3 | od -An -tu1")->out, "  16  32  48\n");
+}
+
 #if GLINT_WITH_MESH
 static void colours_of_vertices_and_materials_of_parts_are_lit_so_too(void **state)
 {
@@ -145,6 +158,7 @@ int main(void)
         cmocka_unit_test(a_frame_of_a_stream_is_what_render_draws),
         cmocka_unit_test(every_format_draws_a_mesh_under_several_lights),
         cmocka_unit_test(paths_by_tables_refuse_other_lights_and_phong),
+        cmocka_unit_test(gouraud_has_the_meshs_grain_and_the_background),
 #if GLINT_WITH_MESH
         cmocka_unit_test(colours_of_vertices_and_materials_of_parts_are_lit_so_too),
 #endif

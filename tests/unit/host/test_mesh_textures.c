@@ -669,6 +669,9 @@ static void options_of_textures_are_checked(void **state)
     assert_contains(result->out, "\"picture\": \"checker.png\"");
     assert_contains(result->out, "\"format\": \"palette\"");
     assert_int_equal(number_in(result->out, "\"width\""), 64);
+    result = run("name=$(printf 'r\\351d.png') && cp checker.png \"$name\" && "
+                 "$GLINT bake --scene teapot --texture \"$name\" --json");
+    assert_contains(result->out, "\"picture\": \"r?d.png\"");
     assert_contains(run("$GLINT bake --scene teapot --texture checker.png")->out,
                     "texture checker.png: 64x64, rgb565, 7 pictures, each of half the size: 10922 bytes of these");
 }

@@ -5,11 +5,12 @@
 #include <signal.h>
 #include <stdbool.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 
 #include "base/clock.h"
 #include "commands/commands.h"
-#include "run.h"
+#include "files.h"
 
 enum { PAGE_LEN = 300000 }; /* more than a socket holds */
 
@@ -163,6 +164,23 @@ static void however_many_say_nothing_the_next_gets_the_page(void **state)
         close(silent[i]);
 }
 
+static void a_server_without_room_for_files_serves_on(void **state)
+{
+    (void)state;
+    struct rlimit usual, few;
+    assert_int_equal(prlimit(server, RLIMIT_NOFILE, NULL, &usual), 0);
+    few = usual;
+    few.rlim_cur = 0;
+    for (int left = 4; left > 0; few.rlim_cur++) { /* numbers that the server does not use */
+        char path[64];
+        snprintf(path, sizeof path, "/proc/%d/fd/%d", (int)server, (int)few.rlim_cur);
+        left -= !exists(path);
+    }
+    assert_int_equal(prlimit(server, RLIMIT_NOFILE, &few, NULL), 0);
+    however_many_say_nothing_the_next_gets_the_page(state);
+    assert_int_equal(prlimit(server, RLIMIT_NOFILE, &usual, NULL), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -170,6 +188,7 @@ int main(void)
         cmocka_unit_test(a_request_with_long_headers_gets_the_page),
         cmocka_unit_test(connections_that_say_nothing_hold_nobody_up),
         cmocka_unit_test(however_many_say_nothing_the_next_gets_the_page),
+        cmocka_unit_test(a_server_without_room_for_files_serves_on),
     };
     return cmocka_run_group_tests_name("page", tests, server_start, server_stop);
 }

@@ -324,6 +324,12 @@ static void the_reading_of_figure_9_counts_what_its_curves_show(void **state)
     assert_contains(json_string_value(json_object_get(last, "computed")), part);
 }
 
+static void a_folders_name_is_printed_without_control_characters(void **state)
+{
+    (void)state;
+    assert_contains(run("$GLINT paper -o \"$(printf 'a\\033b')\" --no-plots --only fig9")->out, "\na?b/report.html\n");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -337,6 +343,7 @@ int main(void)
         cmocka_unit_test(each_csv_has_its_rows_of_equal_length),
         cmocka_unit_test(the_librarys_values_in_figure_3_are_the_formulas_rounded),
         cmocka_unit_test(the_reading_of_figure_9_counts_what_its_curves_show),
+        cmocka_unit_test(a_folders_name_is_printed_without_control_characters),
     };
     return cmocka_run_group_tests_name("paper", tests, make_report, remove_report);
 }

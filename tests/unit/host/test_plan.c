@@ -318,6 +318,42 @@ static void far_blocks_go_as_tiles_where_all_between_is_dear(void **state)
     plan_free(plan);
 }
 
+/* ---- steps, counted by the prices that are asked for ---- */
+
+static size_t prices;
+
+static size_t counted_bytes(const struct sink *sink, const struct glint_box *box)
+{
+    prices++;
+    return format_line_bytes(sink->format, box->w) * box->h;
+}
+
+/* A column that changed beside pixels that did, each dearer to join than to send. */
+static void a_frame_of_many_spans_asks_for_few_prices_a_pixel(void **state)
+{
+    (void)state;
+    enum { SIDE = 256 };
+    static const struct sink_kind kind = {.name = "test", .pixels = {.box_bytes = counted_bytes}};
+    static uint8_t last[SIDE * SIDE], now[SIDE * SIDE];
+    for (int y = 0; y < SIDE; y++)
+        for (int x = 0; x < SIDE; x++)
+            now[SIDE * y + x] = x == 0 || (x % 2 == 0 && y % 2 == 0);
+    const struct sink sink = {.kind = &kind,
+                              .width = SIDE,
+                              .height = SIDE,
+                              .format = GLINT_GREY8,
+                              .max_bytes = SIZE_MAX,
+                              .cost = {.5e-6, 1e6}};
+    const struct frame frame = frame_of(&sink, now);
+    struct plan *plan = plan_new(&sink);
+    prices = 0;
+    const struct plan_result result = plan_frame(plan, last, &frame);
+    assert_int_equal(result.bytes, SIDE + (SIDE / 2 - 1) * SIDE / 2);
+    print_message("# %.1f prices a pixel\n", (double)prices / (SIDE * SIDE));
+    assert_true(prices < 200u * SIDE * SIDE);
+    plan_free(plan);
+}
+
 /* ---- a sink with a form of its own: one byte a pixel ---- */
 
 static size_t byte_a_pixel(const struct sink *sink, const struct glint_box *box)
@@ -369,6 +405,7 @@ int main(void)
         cmocka_unit_test(a_frame_never_costs_more_than_the_whole_one),
         cmocka_unit_test(the_cost_of_a_rectangle_decides_how_many_there_are),
         cmocka_unit_test(far_blocks_go_as_tiles_where_all_between_is_dear),
+        cmocka_unit_test(a_frame_of_many_spans_asks_for_few_prices_a_pixel),
         cmocka_unit_test(a_sinks_own_form_is_what_is_sent),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

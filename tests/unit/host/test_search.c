@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "family.h"
-#include "run.h"
+#include "files.h"
 
 #include "paper/search.h"
 
@@ -210,8 +210,25 @@ static void options_that_cannot_be_are_refused_by_name(void **state)
     assert_refused("$GLINT search --stage 3", "--stage");
     assert_refused("$GLINT search --stage 1 --coefficients 1:3", "--coefficients");
     assert_refused("$GLINT search --angles 90001", "at most 20000000");
+    assert_refused("$GLINT search --angles 90001 --shininess 1:222 --exponents -3:3:0.01", "54224023 powers; at most");
+    assert_refused("$GLINT search --angles 2 --shininess 1:1.9:1e-6 --joint", "29700099 powers; at most 20000000");
     assert_refused("$GLINT search --exponents -3:3:0.001", "at most 1000");
     assert_refused("$GLINT search 5", "'5'");
+}
+
+static void an_environment_of_no_launcher_is_no_launcher(void **state)
+{
+    (void)state;
+    static const char *const environments[] = {"PMI_SIZE=0", "PMI_SIZE=5", "PMI_SIZE=0 PMI_RANK=0",
+                                               "PMI_SIZE=1 PMI_RANK=3"};
+    for (size_t i = 0; i < sizeof environments / sizeof *environments; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "%s $GLINT search --joint --exponents 0:1 --coefficients 1,2 --best 1",
+                 environments[i]);
+        assert_quiet(strcat(line, " -o rows.txt"));
+        strcpy(strstr(line, "0:1"), "2:1");
+        assert_refused(line, "--exponents");
+    }
 }
 
 static void rows_go_to_the_file_named(void **state)
@@ -246,6 +263,7 @@ int main(void)
         cmocka_unit_test(json_holds_the_same_rows),
         cmocka_unit_test(rows_of_stage_1_have_coefficients_1),
         cmocka_unit_test(options_that_cannot_be_are_refused_by_name),
+        cmocka_unit_test(an_environment_of_no_launcher_is_no_launcher),
         cmocka_unit_test(rows_go_to_the_file_named),
         cmocka_unit_test(an_interrupted_search_leaves_no_file),
     };

@@ -31,6 +31,8 @@ static void wrong_usage_is_said_with_what_is_allowed_and_ends_with_2(void **stat
         {"sphere --to png -o out/x%", "neither %d nor %04d"},
         {"sphere --to raw -o out/x%d.png", "writes no files"},
         {"sphere --to png -o out/x%d.png --fps -1", "--fps: '-1' is not a number from 0 to 1000"},
+        {"sphere --to png -o out/x%d.png --fps 1e-300", "--fps: '1e-300' is too small; give 0, or 1e-06 or more"},
+        {"sphere --to png -o out/x%d.png --period 9e-7", "--period: '9e-7' is too small"},
         {"sphere --to png -o out/x%d.png --frames 0", "--frames: '0' is not a whole number from 1"},
         {"sphere --to png -o out/x%d.png --orbit 180", "from 0 to 179"},
         {"sphere --to png -o out/x%d.png --period -4", "--period"},
