@@ -62,17 +62,38 @@ static void a_last_picture_that_cannot_be_written_is_told_by_the_status(void **s
     assert_nothing_is_left("a picture that could not be written");
 }
 
-/* Of another program, with a function that is not ours. */
+/* Of another program, with a function that is not ours; the folders are named as this one names its own. */
 static void a_gadget_of_the_same_name_is_left_alone(void **state)
 {
     (void)state;
+    static const char *const parts[] = {"functions/ffs.another", "strings/0x409", "configs/c.1",
+                                        "configs/c.1/strings/0x409"};
+    enum { PARTS = sizeof parts / sizeof *parts };
     assert_int_equal(run("mountpoint -q /sys/kernel/config || mount -t configfs none /sys/kernel/config"), 0);
-    assert_int_equal(run("mkdir -p " FOLDER "/functions/ffs.another"), 0);
+    for (unsigned i = 0; i < PARTS; i++)
+        assert_int_equal(run("mkdir -p " FOLDER "/%s", parts[i]), 0);
     process_start(&gadget, "$GADGET " OPTIONS);
     process_wait_for(&gadget, FOLDER ": File exists; it is not this program's: give another --name");
     assert_int_equal(process_end(&gadget, 0), 1);
-    assert_int_equal(access(FOLDER "/functions/ffs.another", F_OK), 0);
-    assert_int_equal(run("rmdir " FOLDER "/functions/ffs.another " FOLDER), 0);
+    for (unsigned i = 0; i < PARTS; i++)
+        assert_int_equal(run("test -d " FOLDER "/%s", parts[i]), 0);
+    for (unsigned i = PARTS; i--;)
+        assert_int_equal(run("rmdir " FOLDER "/%s", parts[i]), 0);
+    assert_int_equal(run("rmdir " FOLDER), 0);
+}
+
+/* Killed, it can take nothing down; the next one does. */
+static void what_a_killed_one_left_is_taken_down(void **state)
+{
+    (void)state;
+    process_start(&gadget, "$GADGET " OPTIONS);
+    process_wait_for(&gadget, "on the bus");
+    process_end(&gadget, SIGKILL);
+    assert_int_equal(access(FOLDER, F_OK), 0);
+    process_start(&gadget, "$GADGET " OPTIONS);
+    process_wait_for(&gadget, "on the bus");
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
+    assert_nothing_is_left("one that was killed, and the next");
 }
 
 int main(void)
@@ -82,6 +103,7 @@ int main(void)
         cmocka_unit_test_teardown(that_nobody_reads_its_messages_does_not_end_it, lab_clean),
         cmocka_unit_test_teardown(a_last_picture_that_cannot_be_written_is_told_by_the_status, lab_clean),
         cmocka_unit_test_teardown(a_gadget_of_the_same_name_is_left_alone, lab_clean),
+        cmocka_unit_test_teardown(what_a_killed_one_left_is_taken_down, lab_clean),
     };
     return cmocka_run_group_tests_name("gud ends", tests, NULL, NULL);
 }
