@@ -49,6 +49,7 @@ static bool rate_fraction(double fps, long *numerator, long *denominator)
 static struct sink *open_y4m(const struct sink_wish *wish)
 {
     long numerator, denominator;
+    frames_without_alpha(wish, "y4m");
     if (!rate_fraction(wish->fps, &numerator, &denominator))
         fail("--fps: %g is too low for a YUV4MPEG2 file; its lowest rate is 1 frame in 2000000000 seconds", wish->fps);
     struct y4m *y4m = allocate(1, sizeof *y4m);
