@@ -82,20 +82,6 @@ static void a_gadget_of_the_same_name_is_left_alone(void **state)
     assert_int_equal(run("rmdir " FOLDER), 0);
 }
 
-/* Killed, it can take nothing down; the next one does. */
-static void what_a_killed_one_left_is_taken_down(void **state)
-{
-    (void)state;
-    process_start(&gadget, "$GADGET " OPTIONS);
-    process_wait_for(&gadget, "on the bus");
-    process_end(&gadget, SIGKILL);
-    assert_int_equal(access(FOLDER, F_OK), 0);
-    process_start(&gadget, "$GADGET " OPTIONS);
-    process_wait_for(&gadget, "on the bus");
-    assert_int_equal(process_end(&gadget, SIGTERM), 0);
-    assert_nothing_is_left("one that was killed, and the next");
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -103,7 +89,6 @@ int main(void)
         cmocka_unit_test_teardown(that_nobody_reads_its_messages_does_not_end_it, lab_clean),
         cmocka_unit_test_teardown(a_last_picture_that_cannot_be_written_is_told_by_the_status, lab_clean),
         cmocka_unit_test_teardown(a_gadget_of_the_same_name_is_left_alone, lab_clean),
-        cmocka_unit_test_teardown(what_a_killed_one_left_is_taken_down, lab_clean),
     };
     return cmocka_run_group_tests_name("gud ends", tests, NULL, NULL);
 }
