@@ -68,10 +68,10 @@ static bool get(const char *entry, char *text, size_t room)
     return good && *text;
 }
 
-/* Everything of a gadget, there or not. */
+/* Everything of a gadget, there or not: at last the function, by which it is known as ours. */
 static void take_down(void)
 {
-    static const char *const folders[] = {"configs/c.1/strings/0x409", "configs/c.1", NULL, "strings/0x409", ""};
+    static const char *const folders[] = {"configs/c.1/strings/0x409", "configs/c.1", "strings/0x409", NULL, ""};
     char path[NAME_ROOM], entry[NAME_ROOM / 2];
     umount2(mounted, MNT_DETACH);
     rmdir(mounted);
