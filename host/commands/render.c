@@ -155,6 +155,8 @@ static void write_part(const struct render_options *options, struct written *to,
         return;
     }
     struct picture *picture = levels_picture(levels, options->widen);
+    if (!options->gouraud)
+        picture_add_alpha(picture, format, pixels);
     if (!to->file)
         to->file = picture_file_begin(to->output, options->kind, picture, to->height);
     picture_file_add(to->file, picture);

@@ -3,6 +3,7 @@
 #ifndef GLINT_IMAGE_FORMAT_H
 #define GLINT_IMAGE_FORMAT_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #include "glint.h"
@@ -16,6 +17,11 @@ extern const char *const space_names[];  /* "gamma", "linear", by enum glint_spa
 static inline bool format_is_565(enum glint_format format)
 {
     return format == GLINT_RGB565 || format == GLINT_RGB565_SWAPPED;
+}
+/* The last byte of each of its pixels is alpha, which the colours are not multiplied by. */
+static inline bool format_has_alpha(enum glint_format format)
+{
+    return format == GLINT_ARGB8888;
 }
 /* The nearest RGB565 of 8 bits a channel. */
 static inline uint16_t format_nearest_565(const uint8_t rgb[3])

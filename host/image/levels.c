@@ -2,6 +2,7 @@
 #include "image/levels.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "base/memory.h"
 #include "image/format.h"
@@ -54,4 +55,19 @@ struct picture *levels_picture(const struct levels *levels, enum widen widen)
             (uint8_t)(widen == WIDEN_REPLICATE ? replicate(level, max) : (255 * level + max / 2) / max);
     }
     return picture;
+}
+
+void picture_add_alpha(struct picture *picture, enum glint_format format, const uint8_t *pixels)
+{
+    if (!format_has_alpha(format))
+        return;
+    const size_t count = (size_t)picture->width * picture->height;
+    uint8_t *samples = allocate(count, 4);
+    for (size_t i = 0; i < count; i++) {
+        memcpy(&samples[4 * i], &picture->samples[3 * i], 3);
+        samples[4 * i + 3] = pixels[4 * i + 3];
+    }
+    free(picture->samples);
+    picture->samples = samples;
+    picture->channels = 4;
 }

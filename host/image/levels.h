@@ -22,5 +22,7 @@ enum widen {
     WIDEN_REPLICATE /* its high bits again below it, as many panels do: at most 1 from the nearest */
 };
 struct picture *levels_picture(const struct levels *levels, enum widen widen);
+/* RGB becomes RGBA by the alpha of the pixels that it was made of; without effect where their format has none. */
+void picture_add_alpha(struct picture *picture, enum glint_format format, const uint8_t *pixels);
 
 #endif

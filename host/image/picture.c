@@ -19,6 +19,6 @@ uint8_t *picture_rgb(const struct picture *picture)
     uint8_t *rgb = allocate(pixels, 3);
     for (size_t i = 0; i < pixels; i++)
         for (unsigned k = 0; k < 3; k++)
-            rgb[3 * i + k] = picture->samples[picture->channels == 3 ? 3 * i + k : i];
+            rgb[3 * i + k] = picture->samples[picture->channels * i + (picture->channels > 1 ? k : 0)];
     return rgb;
 }

@@ -99,8 +99,10 @@ static void begin_png(struct picture_file *file)
         fail("out of memory");
     png_set_write_fn(png, file->output, png_put, png_flush_later);
     png_set_IHDR(png, info, file->width, file->height, file->mono ? 1 : 8,
-                 file->channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+                 file->channels == 4   ? PNG_COLOR_TYPE_RGB_ALPHA
+                 : file->channels == 3 ? PNG_COLOR_TYPE_RGB
+                                       : PNG_COLOR_TYPE_GRAY,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     if (file->mono)
@@ -178,7 +180,7 @@ static void begin_qoi(struct picture_file *file)
                               (uint8_t)(h >> 16),
                               (uint8_t)(h >> 8),
                               (uint8_t)h,
-                              3,
+                              file->channels == 4 ? 4 : 3,
                               0};
     put(file->output, head, sizeof head);
     file->qoi.last = 255; /* black */
@@ -198,7 +200,7 @@ static size_t end_run(struct qoi *qoi, uint8_t *out)
     return 1;
 }
 
-/* A pixel as the shortest of its chunks; at most 5 bytes. */
+/* A pixel as the shortest of its chunks; at most 6 bytes. */
 static size_t qoi_pixel(struct qoi *qoi, uint32_t pixel, uint8_t *out)
 {
     if (pixel == qoi->last)
@@ -211,6 +213,10 @@ static size_t qoi_pixel(struct qoi *qoi, uint32_t pixel, uint8_t *out)
     const int8_t red_green = (int8_t)(red - green), blue_green = (int8_t)(blue - green);
     if (qoi->seen[place] == pixel) {
         out[len++] = (uint8_t)place;
+    } else if ((pixel ^ qoi->last) & 255) {
+        out[len++] = 0xff;
+        for (int shift = 24; shift >= 0; shift -= 8)
+            out[len++] = (uint8_t)(pixel >> shift);
     } else if (red >= -2 && red <= 1 && green >= -2 && green <= 1 && blue >= -2 && blue <= 1) {
         out[len++] = (uint8_t)(0x40 | (red + 2) << 4 | (green + 2) << 2 | (blue + 2));
     } else if (red_green >= -8 && red_green <= 7 && green >= -32 && green <= 31 && blue_green >= -8 &&
@@ -228,12 +234,16 @@ static size_t qoi_pixel(struct qoi *qoi, uint32_t pixel, uint8_t *out)
 
 static void add_qoi(struct picture_file *file, const struct picture *lines)
 {
-    uint8_t *rgb = picture_rgb(lines), *bytes = allocate(lines->width, 5);
+    const bool alpha = lines->channels == 4;
+    uint8_t *rgb = picture_rgb(lines), *bytes = allocate(lines->width, 6);
     for (size_t y = 0; y < lines->height; y++) {
         size_t len = 0;
         for (size_t x = 0; x < lines->width; x++) {
-            const uint8_t *p = &rgb[3 * (y * lines->width + x)];
-            len += qoi_pixel(&file->qoi, (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 | 255,
+            const size_t at = y * lines->width + x;
+            const uint8_t *p = &rgb[3 * at];
+            len += qoi_pixel(&file->qoi,
+                             (uint32_t)p[0] << 24 | (uint32_t)p[1] << 16 | (uint32_t)p[2] << 8 |
+                                 (alpha ? lines->samples[4 * at + 3] : 255u),
                              bytes + len);
         }
         put(file->output, bytes, len);

@@ -16,8 +16,8 @@ enum image_kind image_kind_by_name(const char *name);
 enum image_kind image_kind_by_ending(const char *path);
 
 struct output; /* base/output.h */
-/* Writes the whole file; output_close then gives it its name. PPM stands for P6, P5 (grey) or P4 (mono); QOI has only
- * RGB. */
+/* Writes the whole file; output_close then gives it its name. PPM stands for P6, P5 (grey) or P4 (mono), and has no
+ * alpha: RGBA is not for it. QOI has RGB or RGBA. */
 void pixels_write(const void *pixels, size_t len_bytes, struct output *output); /* the same, of bytes as they are */
 void picture_write(const struct picture *picture, struct output *output, enum image_kind kind);
 /* The same in parts of some lines, from the top: begun with the first, which is added as all others are. */

@@ -117,6 +117,9 @@ static void check_outputs(const struct argp_state *state, struct render_options 
         refuse(state, "--against needs --error-map");
     if (o->output && o->kind == IMAGE_KINDS && !o->raw)
         o->kind = kind_of_file(state, "-o", o->output);
+    if (o->output && o->kind == IMAGE_PPM && !o->raw && !o->gouraud && format_has_alpha(o->look.shading.format))
+        refuse(state, "--format %s: a PPM file has no alpha; choose another format, or PNG, QOI or raw by --image",
+               format_names[o->look.shading.format]);
     if (o->error_map)
         o->error_map_kind = kind_of_file(state, "--error-map", o->error_map);
 }

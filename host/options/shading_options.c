@@ -98,7 +98,7 @@ static const struct argp_option argp_options[] = {
     {"format", KEY_FORMAT, "NAME", 0,
      "The display's pixels: " FORMAT_WORDS
      "default: rgb888, or the device's. As LVGL has them bgr888, xrgb8888 and argb8888 have blue first; the alpha of "
-     "argb8888 is the mask",
+     "argb8888 is the mask; PNG, QOI, WebP and raw keep it",
      4},
     {"space", KEY_SPACE, "NAME", 0,
      "The space in which light is summed: gamma (default: as encoded) or linear (sRGB decoded and encoded)", 4},

@@ -37,6 +37,7 @@ static struct sink *open_png(const struct sink_wish *wish)
 
 static struct sink *open_ppm(const struct sink_wish *wish)
 {
+    frames_without_alpha(wish, "ppm");
     return open_files(wish, IMAGE_PPM);
 }
 

@@ -7,7 +7,9 @@
 
 #include "base/argp.h"
 #include "base/memory.h"
+#include "base/message.h"
 #include "base/output.h"
+#include "image/format.h"
 #include "image/levels.h"
 #include "image/picture.h"
 
@@ -76,6 +78,7 @@ struct picture *frame_picture(const struct frame *frame)
     struct levels *levels = levels_of_pixels(frame->width, frame->height, frame->format, frame->pixels);
     struct picture *picture = levels_picture(levels, WIDEN_NEAREST);
     levels_free(levels);
+    picture_add_alpha(picture, frame->format, frame->pixels);
     return picture;
 }
 
@@ -85,4 +88,11 @@ uint8_t *frame_rgb(const struct frame *frame)
     uint8_t *rgb = picture_rgb(picture);
     picture_free(picture);
     return rgb;
+}
+
+void frames_without_alpha(const struct sink_wish *wish, const char *sink)
+{
+    if (wish->format >= 0 && format_has_alpha((enum glint_format)wish->format))
+        fail("--format %s: --to %s has no alpha; choose another format, or --to png, webp or raw",
+             format_names[wish->format], sink);
 }

@@ -11,7 +11,9 @@ char *frame_name(const char *pattern, unsigned long index);
 bool frame_pattern(const struct argp_state *state, const char *option, const char *pattern);
 /* Fails where one of so many frames would get the name of a file that is read; 0: their number is unknown. */
 void frames_check(const char *pattern, unsigned long count);
-struct picture *frame_picture(const struct frame *frame); /* image/picture.h */
+struct picture *frame_picture(const struct frame *frame); /* image/picture.h; with the format's alpha */
 uint8_t *frame_rgb(const struct frame *frame);            /* RGB888, malloc'd */
+/* For what shows or holds no alpha: without it the colours of soft edges would be wrong. Fails where the format has one. */
+void frames_without_alpha(const struct sink_wish *wish, const char *sink);
 
 #endif

@@ -49,6 +49,7 @@ static void check(const struct gif *gif, int status)
 
 static struct sink *open_gif(const struct sink_wish *wish)
 {
+    frames_without_alpha(wish, "gif");
     if (wish->fps > FPS_MAX || wish->fps < UNIT / 65535.)
         fail("--fps: %g is no rate of a GIF, which shows .002 to %d frames a second", wish->fps, FPS_MAX);
     struct gif *gif = allocate(1, sizeof *gif);

@@ -104,6 +104,7 @@ static struct sink *open_terminal(const struct sink_wish *wish)
 {
     if (!isatty(STDOUT_FILENO))
         fail("--to terminal: standard output is not a terminal; choose another sink");
+    frames_without_alpha(wish, "terminal");
     struct terminal *terminal = allocate(1, sizeof *terminal);
     terminal->sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,
                                    .align_x = 1,

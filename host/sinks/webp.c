@@ -11,6 +11,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/parse.h"
+#include "image/picture.h"
 #include "sinks/animation.h"
 #include "sinks/frames.h"
 #include "sinks/outputs.h"
@@ -83,39 +84,28 @@ static void add(struct webp *webp, WebPPicture *picture)
         fail("%s: %s", webp->sink.name, WebPAnimEncoderGetError(webp->encoder));
 }
 
-/* Pixels of ARGB8888 end with it. */
-static uint8_t *with_alpha(const uint8_t *rgb, const struct frame *frame)
-{
-    const size_t pixels = (size_t)frame->width * frame->height;
-    uint8_t *rgba = allocate(pixels, 4);
-    for (size_t i = 0; i < pixels; i++) {
-        memcpy(&rgba[4 * i], &rgb[3 * i], 3);
-        rgba[4 * i + 3] = frame->pixels[4 * i + 3];
-    }
-    return rgba;
-}
-
 static enum sink_result send_webp(struct sink *sink, const struct frame *frame, const struct piece *pieces,
                                   size_t count)
 {
     (void)pieces;
     (void)count;
     struct webp *webp = (struct webp *)sink;
-    uint8_t *rgb = frame_rgb(frame);
+    struct picture *picture = frame_picture(frame);
+    uint8_t *rgb = picture->channels == 4 ? NULL : picture_rgb(picture);
     WebPPicture to;
     if (!WebPPictureInit(&to))
         fail("--to webp: the library is another version than glint was built for");
     to.width = sink->width;
     to.height = sink->height;
     to.use_argb = true;
-    uint8_t *rgba = sink->format == GLINT_ARGB8888 ? with_alpha(rgb, frame) : NULL;
-    if (!(rgba ? WebPPictureImportRGBA(&to, rgba, 4 * sink->width) : WebPPictureImportRGB(&to, rgb, 3 * sink->width)))
+    if (!(rgb ? WebPPictureImportRGB(&to, rgb, 3 * sink->width)
+              : WebPPictureImportRGBA(&to, picture->samples, 4 * sink->width)))
         fail("out of memory");
-    free(rgba);
     add(webp, &to);
     webp->animation.frames++;
     WebPPictureFree(&to);
     free(rgb);
+    picture_free(picture);
     return SINK_SENT;
 }
 

@@ -47,6 +47,7 @@ static void rate_fraction(double fps, long *numerator, long *denominator)
 static struct sink *open_y4m(const struct sink_wish *wish)
 {
     long numerator, denominator;
+    frames_without_alpha(wish, "y4m");
     rate_fraction(wish->fps, &numerator, &denominator);
     struct y4m *y4m = allocate(1, sizeof *y4m);
     y4m->sink = (struct sink){.format = wish->format < 0 ? GLINT_RGB888 : (enum glint_format)wish->format,

@@ -327,6 +327,8 @@ static void on_a_framebuffer_it_shows_the_picture(void **state)
     close(file);
     arrives("rgb565", "a picture through two displays");
     assert_int_equal(process_end(&front, SIGTERM), 0);
+    memset(source, 0, sizeof source);
+    arrives("rgb565", "black, at the end of the one in front");
     assert_int_equal(process_end(&gadget, SIGTERM), 0);
 }
 

@@ -62,17 +62,24 @@ static void a_last_picture_that_cannot_be_written_is_told_by_the_status(void **s
     assert_nothing_is_left("a picture that could not be written");
 }
 
-/* Of another program, with a function that is not ours. */
+/* Of another program, with a function that is not ours; the folders are named as this one names its own. */
 static void a_gadget_of_the_same_name_is_left_alone(void **state)
 {
     (void)state;
+    static const char *const parts[] = {"functions/ffs.another", "strings/0x409", "configs/c.1",
+                                        "configs/c.1/strings/0x409"};
+    enum { PARTS = sizeof parts / sizeof *parts };
     assert_int_equal(run("mountpoint -q /sys/kernel/config || mount -t configfs none /sys/kernel/config"), 0);
-    assert_int_equal(run("mkdir -p " FOLDER "/functions/ffs.another"), 0);
+    for (unsigned i = 0; i < PARTS; i++)
+        assert_int_equal(run("mkdir -p " FOLDER "/%s", parts[i]), 0);
     process_start(&gadget, "$GADGET " OPTIONS);
     process_wait_for(&gadget, FOLDER ": File exists; it is not this program's: give another --name");
     assert_int_equal(process_end(&gadget, 0), 1);
-    assert_int_equal(access(FOLDER "/functions/ffs.another", F_OK), 0);
-    assert_int_equal(run("rmdir " FOLDER "/functions/ffs.another " FOLDER), 0);
+    for (unsigned i = 0; i < PARTS; i++)
+        assert_int_equal(run("test -d " FOLDER "/%s", parts[i]), 0);
+    for (unsigned i = PARTS; i--;)
+        assert_int_equal(run("rmdir " FOLDER "/%s", parts[i]), 0);
+    assert_int_equal(run("rmdir " FOLDER), 0);
 }
 
 int main(void)

@@ -68,10 +68,10 @@ static bool get(const char *entry, char *text, size_t room)
     return good && *text;
 }
 
-/* Everything of a gadget, there or not. */
+/* Everything of a gadget, there or not: at last the function, by which it is known as ours. */
 static void take_down(void)
 {
-    static const char *const folders[] = {"configs/c.1/strings/0x409", "configs/c.1", NULL, "strings/0x409", ""};
+    static const char *const folders[] = {"configs/c.1/strings/0x409", "configs/c.1", "strings/0x409", NULL, ""};
     char path[NAME_ROOM], entry[NAME_ROOM / 2];
     umount2(mounted, MNT_DETACH);
     rmdir(mounted);
@@ -174,11 +174,25 @@ static void describe(const struct options *options)
     must_put("configs/c.1/strings/0x409/configuration", "display");
 }
 
+static void make_function(void)
+{
+    char entry[NAME_ROOM / 2];
+    snprintf(entry, sizeof entry, "functions/%s", instance);
+    must_make(entry);
+}
+
+static bool has_function(void)
+{
+    char entry[NAME_ROOM / 2], path[NAME_ROOM];
+    snprintf(entry, sizeof entry, "functions/%s", instance);
+    path_of(path, entry);
+    return access(path, F_OK) == 0;
+}
+
 static void mount_function(const struct options *options)
 {
     char function[NAME_ROOM], link[NAME_ROOM], entry[NAME_ROOM / 2];
     snprintf(entry, sizeof entry, "functions/%s", instance);
-    must_make(entry);
     path_of(function, entry);
     snprintf(entry, sizeof entry, "configs/c.1/%s", instance);
     path_of(link, entry);
@@ -202,12 +216,15 @@ const char *configfs_create(const struct options *options)
     snprintf(mounted, sizeof mounted, "/dev/ffs-%s", options->name);
     if (is_bound())
         fail("%s: in use by another program; end it, or give another --name", gadget);
+    if (access(gadget, F_OK) == 0 && !has_function())
+        fail("%s: %s%s", gadget, strerror(EEXIST), remedy(EEXIST));
     find_controller(options->udc);
     take_down(); /* of one that was killed */
     if (mkdir(gadget, 0755) != 0)
         fail("%s: %s%s", gadget, strerror(errno), remedy(errno));
     created = true;
     atexit(configfs_remove);
+    make_function(); /* at once: by it the next run knows the gadget as ours */
     describe(options);
     mount_function(options);
     return mounted;

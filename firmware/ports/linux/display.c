@@ -114,6 +114,7 @@ bool display_run(struct display *display, const struct options *options, const s
     functionfs_hold_signals();
     functionfs_run(configfs_create(options), function, options->verbose, dump_shown);
     configfs_remove();
+    gud_device_reset(&display->device); /* the framebuffer is black */
     const bool good = picture_write(&display->picture);
     if (options->verbose)
         fprintf(stderr, "%lu rectangles, %lu with faults, %llu bytes\n", display->rectangles, display->faults,

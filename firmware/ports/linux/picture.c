@@ -79,9 +79,8 @@ static void line(void *context, const uint8_t *pixels, size_t bytes)
 {
     struct picture *picture = context;
     memcpy(picture->pixels + 3 * ((size_t)picture->next * picture->width + picture->box.x), pixels, bytes);
-    if (picture->framebuffer.pixels)
-        framebuffer_put(&picture->framebuffer, picture->box.x, picture->next, picture->box.w,
-                        picture->pixels + 3 * ((size_t)picture->next * picture->width + picture->box.x));
+    if (picture->framebuffer.pixels && picture->shown)
+        framebuffer_put(&picture->framebuffer, picture->box.x, picture->next, picture->box.w, pixels);
     picture->next++;
 }
 
@@ -96,7 +95,12 @@ static void display(void *context, bool on, uint8_t brightness)
 {
     struct picture *picture = context;
     (void)brightness;
+    if (on == picture->shown)
+        return;
     picture->shown = on;
+    for (unsigned y = 0; picture->framebuffer.pixels && y < picture->height; y++)
+        framebuffer_put(&picture->framebuffer, 0, y, picture->width,
+                        on ? picture->pixels + 3 * (size_t)y * picture->width : NULL);
 }
 
 const struct gud_device_ops picture_ops = {

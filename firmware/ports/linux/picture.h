@@ -18,7 +18,7 @@ struct picture {
     struct framebuffer framebuffer;
     struct glint_box box; /* the rectangle being drawn, and its next line */
     uint16_t next;
-    bool shown;
+    bool shown; /* else the framebuffer is black, or as it was before the display was first switched on */
 };
 /* Fails where the framebuffer cannot be used, or options.output not be written. */
 void picture_open(struct picture *picture, const struct options *options);

@@ -9,24 +9,30 @@ linux = build/firmware/linux
 
 firmware-linux: $(linux)/glint-gadget
 
-$(linux)/glint-gadget: $(linux_OBJECTS)
-	$(CC) $(linux_CFLAGS) $(LDFLAGS) $^ -o $@ -lpng
+$(linux)/glint-gadget: $(linux_OBJECTS) $(linux)/flags
+	$(CC) $(linux_CFLAGS) $(LDFLAGS) $(filter %.o,$^) -o $@ -lpng
 
-$(linux)/core/%.o: firmware/core/%.c
+$(linux)/core/%.o: firmware/core/%.c $(linux)/flags
 	@mkdir -p $(@D)
 	$(CC) -Ilib $(LIB_CFLAGS) -c $< -o $@
 
-$(linux)/%.o: firmware/ports/linux/%.c
+$(linux)/%.o: firmware/ports/linux/%.c $(linux)/flags
 	@mkdir -p $(@D)
 	$(CC) $(linux_CFLAGS) -c $< -o $@
+
+# As $(BUILD)/flags.
+linux_FLAGS = $(CC) $(linux_CFLAGS) $(LIB_CFLAGS) $(LDFLAGS)
+$(linux)/flags: always
+	@mkdir -p $(@D)
+	@printf '%s\n' $(call quoted,$(linux_FLAGS)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(linux_FLAGS)) >$@
 
 .PHONY: firmware-linux
 -include $(wildcard $(linux)/*.d $(linux)/core/*.d)
 
 # For the lab's tests of hosts: the same, with faults.
-$(linux)/faulty-gadget: $(linux)/faulty_gadget.o $(filter-out %/main.o,$(linux_OBJECTS))
-	$(CC) $(linux_CFLAGS) $(LDFLAGS) $^ -o $@ -lpng
+$(linux)/faulty-gadget: $(linux)/faulty_gadget.o $(filter-out %/main.o,$(linux_OBJECTS)) $(linux)/flags
+	$(CC) $(linux_CFLAGS) $(LDFLAGS) $(filter %.o,$^) -o $@ -lpng
 
-$(linux)/faulty_gadget.o: tests/lab/faulty_gadget.c
+$(linux)/faulty_gadget.o: tests/lab/faulty_gadget.c $(linux)/flags
 	@mkdir -p $(@D)
 	$(CC) $(linux_CFLAGS) -c $< -o $@

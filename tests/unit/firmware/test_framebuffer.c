@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * glint-gadget's framebuffers: where pixels lie, in every visual, whatever a driver states. */
+#include <string.h>
+#include <unistd.h>
+
 #include "unit.h"
 
 #include "../../../firmware/ports/linux/framebuffer.c"
@@ -64,6 +67,49 @@ static void pixels_are_rgb_or_bgr_as_the_driver_states(void **state)
         4);
 }
 
+static void alpha_is_opaque_where_a_pixel_has_it(void **state)
+{
+    screen.transp = (struct fb_bitfield){24, 8, 0};
+    assert_pixel((const uint8_t[]){0x27, 0x83, 0xfb, 0xff}, 4);
+    assert_pixel((const uint8_t[]){0x27, 0x83, 0xfb}, 3); /* it does not lie in the pixel */
+    screen.transp.offset = 20;                            /* overlaps red, which stays */
+    assert_pixel((const uint8_t[]){0x27, 0x83, 0xfb, 0x0f}, 4);
+    reset(state);
+    screen.red = (struct fb_bitfield){10, 5, 0};
+    screen.green = (struct fb_bitfield){5, 5, 0};
+    screen.blue = (struct fb_bitfield){0, 5, 0};
+    screen.transp = (struct fb_bitfield){15, 1, 0};
+    assert_pixel((const uint8_t[]){0x04, 0xfe}, 2); /* 1 11111 10000 00100 */
+}
+
+static void black_is_opaque_too(void **state)
+{
+    (void)state;
+    uint8_t memory_there[12];
+    struct framebuffer framebuffer;
+    screen.transp = (struct fb_bitfield){24, 8, 0};
+    assert_null(layout(&framebuffer));
+    memset(memory_there, 7, sizeof memory_there);
+    framebuffer.pixels = memory_there;
+    framebuffer_put(&framebuffer, 1, 0, 1, NULL);
+    assert_memory_equal(memory_there, ((const uint8_t[]){7, 7, 7, 7, 0, 0, 0, 0xff, 7, 7, 7, 7}), 12);
+}
+
+/* The kernel maps whole pages, from the one in which the memory begins. */
+static void memory_may_begin_within_a_page(void **state)
+{
+    (void)state;
+    struct framebuffer framebuffer;
+    const unsigned long page = (unsigned long)sysconf(_SC_PAGESIZE);
+    memory.smem_start = 5 * page + 48;
+    screen.yoffset = 50;
+    assert_null(layout(&framebuffer));
+    assert_int_equal(framebuffer.offset, 48 + 50 * 400);
+    assert_int_equal(framebuffer.bytes, 48 + 400 * 100);
+    memory.smem_len = UINT32_MAX - 47;
+    assert_non_null(layout(&framebuffer));
+}
+
 static void a_picture_outside_the_memory_is_refused(void **state)
 {
     struct framebuffer framebuffer;
@@ -123,6 +169,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(pixels_are_rgb_or_bgr_as_the_driver_states, reset),
+        cmocka_unit_test_setup(alpha_is_opaque_where_a_pixel_has_it, reset),
+        cmocka_unit_test_setup(black_is_opaque_too, reset),
+        cmocka_unit_test_setup(memory_may_begin_within_a_page, reset),
         cmocka_unit_test_setup(a_picture_outside_the_memory_is_refused, reset),
         cmocka_unit_test_setup(visuals_without_three_channels_are_refused, reset),
     };

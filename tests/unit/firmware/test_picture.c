@@ -41,9 +41,47 @@ static void no_more_files_are_written_than_each_allows(void **state)
     free(drawn.pixels);
 }
 
+static void assert_shown(const uint8_t *memory, const uint8_t greys[6])
+{
+    for (unsigned i = 0; i < 6; i++)
+        for (unsigned k = 0; k < 4; k++)
+            assert_int_equal(memory[4 * i + k], k == 3 ? 0xff : greys[i]);
+}
+
+static void a_display_that_is_off_is_black_and_on_again_has_its_picture(void **state)
+{
+    (void)state;
+    uint8_t memory[3 * 2 * 4];
+    const struct options options = {.width = 3, .height = 2};
+    const struct fb_var_screeninfo screen = {.xres = 3,
+                                             .yres = 2,
+                                             .bits_per_pixel = 32,
+                                             .red = {16, 8, 0},
+                                             .green = {8, 8, 0},
+                                             .blue = {0, 8, 0},
+                                             .transp = {24, 8, 0}};
+    const struct fb_fix_screeninfo fixed = {
+        .type = FB_TYPE_PACKED_PIXELS, .visual = FB_VISUAL_TRUECOLOR, .line_length = 12, .smem_len = sizeof memory};
+    struct picture drawn;
+    picture_open(&drawn, &options);
+    assert_null(framebuffer_layout(&drawn.framebuffer, &screen, &fixed, 3, 2));
+    drawn.framebuffer.pixels = memory;
+    picture_ops.display(&drawn, true, 100);
+    draw(&drawn, 1, 0, 50, true);
+    assert_shown(memory, (const uint8_t[]){0, 50, 0, 0, 0, 0});
+    picture_ops.display(&drawn, false, 100);
+    assert_shown(memory, (const uint8_t[6]){0});
+    draw(&drawn, 2, 1, 60, true); /* hosts may draw on a display that is off */
+    assert_shown(memory, (const uint8_t[6]){0});
+    picture_ops.display(&drawn, true, 100);
+    assert_shown(memory, (const uint8_t[]){0, 50, 0, 0, 0, 60});
+    free(drawn.pixels);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_display_that_is_off_is_black_and_on_again_has_its_picture),
         cmocka_unit_test(no_more_files_are_written_than_each_allows),
     };
     return cmocka_run_group_tests_name("picture", tests, make_maps, scratch_remove);

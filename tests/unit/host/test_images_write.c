@@ -101,34 +101,35 @@ static void a_pbm_has_a_bit_for_black(void **state)
     }
 }
 
-/* In parts of any size, too: of noise, of slow slopes and of runs that lines and parts end. */
+/* In parts of any size, too: of noise, of slow slopes and of runs that lines and parts end; of RGB and of RGBA. */
 static void a_qoi_has_the_bytes_of_its_reference_encoder(void **state)
 {
     (void)state;
     enum { WIDTH = 61, HEIGHT = 40 };
-    static uint8_t samples[3 * WIDTH * HEIGHT], bytes[1 << 16];
+    static uint8_t samples[4 * WIDTH * HEIGHT], bytes[1 << 16];
     uint32_t random = 1;
-    for (int kind = 0; kind < 4; kind++) {
+    for (unsigned turn = 0; turn < 8; turn++) {
+        const unsigned kind = turn / 2, channels = 3 + turn % 2;
         for (size_t i = 0; i < sizeof samples; i++) {
             random = random * 1664525 + 1013904223;
-            samples[i] = (uint8_t)(kind == 0                  ? random >> 24
-                                   : kind == 1                ? i / 3 % WIDTH * (1 + i % 3) + (random >> 30)
-                                   : kind == 2                ? (i / 3 / 150) % 3 * 80
-                                   : i >= 3 && (random >> 29) ? samples[i - 3]
-                                                              : random >> 24);
+            samples[i] = (uint8_t)(kind == 0   ? random >> 24
+                                   : kind == 1 ? i / channels % WIDTH * (1 + i % channels) + (random >> 30)
+                                   : kind == 2 ? (i / channels / 150) % 3 * 80
+                                   : i >= channels && (random >> 29) ? samples[i - channels]
+                                                                     : random >> 24);
         }
         struct output *output = output_open("parts.qoi");
-        struct picture part = {WIDTH, 1, 3, false, samples};
+        struct picture part = {WIDTH, 1, channels, false, samples};
         struct picture_file *file = picture_file_begin(output, IMAGE_QOI, &part, HEIGHT);
         for (uint32_t y = 0; y < HEIGHT; y += part.height) {
             part.height = HEIGHT - y < 7 ? HEIGHT - y : 1 + y % 7;
-            part.samples = samples + (size_t)3 * WIDTH * y;
+            part.samples = samples + (size_t)channels * WIDTH * y;
             picture_file_add(file, &part);
         }
         picture_file_end(file);
         output_close(output);
         int len;
-        void *wanted = qoi_encode(samples, &(qoi_desc){WIDTH, HEIGHT, 3, QOI_SRGB}, &len);
+        void *wanted = qoi_encode(samples, &(qoi_desc){WIDTH, HEIGHT, (uint8_t)channels, QOI_SRGB}, &len);
         assert_int_equal(read_bytes("parts.qoi", bytes, sizeof bytes), len);
         assert_memory_equal(bytes, wanted, (size_t)len);
         free(wanted);

@@ -47,6 +47,50 @@ static void every_kind_of_file_holds_the_same_picture(void **state)
     }
 }
 
+/* Rendered whole and in a stream; what has no alpha would show colours that nothing is blended with. */
+static void argb8888_keeps_its_alpha_or_is_refused(void **state)
+{
+    (void)state;
+    enum { SIDE = 64 };
+    static const char *const pictures[] = {"out/a.png", "out/a0.png"};
+    static const char *const without[] = {
+        "ppm",
+        "y4m"
+#if GLINT_WITH_GIF
+        ,
+        "gif"
+#endif
+    };
+    static uint8_t raw[4 * SIDE * SIDE + 1], qoi[4 * SIDE * SIDE + 1];
+    assert_quiet("for to in 'png -o out/a.png' 'qoi -o out/a.qoi' 'raw -o out/a.raw'; do $GLINT render --scene coin "
+                 "--size 64x64 --format argb8888 --cut-out --image $to || exit; done; "
+                 "$GLINT stream coin --size 64x64 --format argb8888 --cut-out --frames 1 --to png -o out/a%d.png && "
+                 "$GLINT stream coin --size 64x64 --format argb8888 --cut-out --frames 1 --to raw >out/a0.raw");
+    for (size_t p = 0; p < 2; p++) {
+        unsigned soft = 0;
+        struct image *image = image_read(pictures[p]);
+        assert_int_equal(read_file(p ? "out/a0.raw" : "out/a.raw", raw, sizeof raw), 4 * SIDE * SIDE);
+        assert_int_equal(image->channels, 4);
+        for (size_t i = 0; i < SIDE * SIDE; i++) {
+            soft += raw[4 * i + 3] > 0 && raw[4 * i + 3] < 255;
+            for (unsigned k = 0; k < 4; k++)
+                assert_int_equal(image->samples[4 * i + k], 257 * raw[4 * i + (k < 3 ? 2 - k : 3)]);
+        }
+        assert_true(soft > 50);
+        image_free(image);
+    }
+    assert_true(read_file("out/a.qoi", qoi, sizeof qoi) > 14);
+    assert_int_equal(qoi[12], 4); /* channels; test_images_write has the rest */
+    assert_refused("$GLINT render --scene coin --format argb8888 -o out/b.ppm", "a PPM file has no alpha");
+    for (size_t i = 0; i < sizeof without / sizeof *without; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT stream coin --format argb8888 --frames 1 --fps 10 --to %s -o out/b.%s",
+                 without[i], without[i]);
+        assert_fails(line, "has no alpha; choose another format");
+    }
+    assert_quiet("! ls out/b.* 2>/dev/null");
+}
+
 static void mono_is_written_as_bits(void **state)
 {
     (void)state;
@@ -363,6 +407,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_map_becomes_a_picture_of_its_size_and_nothing_is_said),
         cmocka_unit_test(every_kind_of_file_holds_the_same_picture),
+        cmocka_unit_test(argb8888_keeps_its_alpha_or_is_refused),
         cmocka_unit_test(mono_is_written_as_bits),
         cmocka_unit_test(raw_is_the_panels_lines_whose_levels_a_picture_has_to_the_nearest_of_255),
         cmocka_unit_test(the_ending_or_the_option_decides_the_kind),
