@@ -166,10 +166,11 @@ struct mesh *mesh_weld(const struct soup *soup, double crease)
     if (!mesh->face_count)
         fail("%s: has no triangle with an area; repair the mesh", soup->name);
     double(*normals)[3][3] = allocate(mesh->face_count, sizeof *normals);
-    if (crease < 0 && soup->has_normals)
-        corner_normals_given(soup, from, grid->places, faces, mesh->face_count, normals);
-    else
+    if (crease >= 0 || !soup->has_normals || !corner_normals_given(soup, from, mesh->face_count, normals)) {
         corner_normals_made(grid->places, faces, mesh->face_count, crease < 0 ? CREASE_USUAL : crease, normals);
+        if (crease < 0)
+            corner_normals_given(soup, from, mesh->face_count, normals);
+    }
     corner_normals_join(mesh, soup, from, grid->places, faces, normals);
     free(normals);
     free(faces);
