@@ -13,15 +13,18 @@ static void face_direction(double (*places)[3], const uint32_t face[3], double o
     mesh_normalize(out);
 }
 
-void corner_normals_given(const struct soup *soup, const size_t *from, double (*places)[3], uint32_t (*faces)[3],
-                          size_t count, double (*normals)[3][3])
+bool corner_normals_given(const struct soup *soup, const size_t *from, size_t count, double (*normals)[3][3])
 {
-    for (size_t i = 0; i < count; i++)
-        for (int k = 0; k < 3; k++) {
-            memcpy(normals[i][k], soup->faces[from[i]].normals[k], sizeof normals[i][k]);
-            if (!mesh_normalize(normals[i][k]))
-                face_direction(places, faces[i], normals[i][k]);
-        }
+    bool all = true;
+    for (size_t i = 0; i < 3 * count; i++) {
+        double normal[3];
+        memcpy(normal, soup->faces[from[i / 3]].normals[i % 3], sizeof normal);
+        const bool is_one = soup->has_normals && mesh_normalize(normal);
+        all &= is_one;
+        if (is_one)
+            memcpy(normals[i / 3][i % 3], normal, sizeof normal);
+    }
+    return all;
 }
 
 /* ---- made ones: corners are joined over edges, and each set of joined corners has one normal ---- */

@@ -7,9 +7,8 @@
 
 enum { CREASE_USUAL = 60 }; /* degrees */
 
-/* The soup's; the face's own where one has no direction. `from`: where in the soup each face is. */
-void corner_normals_given(const struct soup *soup, const size_t *from, double (*places)[3], uint32_t (*faces)[3],
-                          size_t count, double (*normals)[3][3]);
+/* The soup's; one without a direction changes nothing. Returns whether there is none. `from`: where in the soup each face is. */
+bool corner_normals_given(const struct soup *soup, const size_t *from, size_t count, double (*normals)[3][3]);
 /* From the faces around, up to creases. */
 void corner_normals_made(double (*places)[3], uint32_t (*faces)[3], size_t count, double crease,
                          double (*normals)[3][3]);

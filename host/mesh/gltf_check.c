@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh/gltf_check.h"
 
+#include <ctype.h>
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -18,6 +19,9 @@ struct gltf {
 
 static const char damaged[] = "it is damaged; export it again",
                   misread[] = "it has numbers of a kind that libassimp misreads; export it with floats",
+                  large[] = "it has a number that is too large; export it again",
+                  not_text[] = "it has text that is not UTF-8, which a glTF's has to be; export it again",
+                  bad_uri[] = "the data URI of a buffer is not base64; export it again",
                   old[] = "it is a glTF 1; export it as glTF 2.0",
                   doubled[] = "its indices are packed by Draco and plain; export it without Draco",
                   elsewhere[] = "a GLB's first buffer is in itself, and this one's is elsewhere; export it again",
@@ -256,6 +260,26 @@ static const char *check_required(const json_t *root)
     return NULL;
 }
 
+/* libassimp takes any character for one of base64. */
+static bool is_base64(const char *data)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const size_t len = strspn(data, digits);
+    return len + strspn(data + len, "=") == strlen(data) && strlen(data) - len <= 2;
+}
+
+static const char *check_buffers(const json_t *root)
+{
+    const json_t *buffers = json_object_get(root, "buffers");
+    for (size_t i = 0; i < json_array_size(buffers); i++) {
+        const char *uri = json_string_value(json_object_get(json_array_get(buffers, i), "uri"));
+        const char *data = uri && strncmp(uri, "data:", 5) == 0 ? strchr(uri, ',') : uri;
+        if (data != uri && (!data || data - uri < 7 || strncmp(data - 7, ";base64", 7) != 0 || !is_base64(data + 1)))
+            return bad_uri;
+    }
+    return NULL;
+}
+
 static const char *check_root(const json_t *root, uint64_t *triangles)
 {
     const char *version = json_string_value(json_object_get(json_object_get(root, "asset"), "version"));
@@ -264,6 +288,8 @@ static const char *check_root(const json_t *root, uint64_t *triangles)
     if (strncmp(version, "2", 1) != 0)
         return old;
     const char *wrong = check_required(root);
+    if (!wrong)
+        wrong = check_buffers(root);
     const size_t meshes = json_array_size(json_object_get(root, "meshes"));
     const size_t nodes = json_array_size(json_object_get(root, "nodes"));
     struct gltf gltf = {root, malloc((meshes + nodes + 1) * sizeof *gltf.of_meshes), NULL};
@@ -283,6 +309,41 @@ static uint32_t word_at(const char *at)
     return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
 }
 
+/* Whole numbers beyond those of jansson become others, which libassimp takes them for: the last digits become an exponent. */
+static void shorten_numbers(char *bytes, size_t len)
+{
+    enum { DIGITS = 19, CUT = 4 };
+    bool in_text = false;
+    for (size_t i = 0, end; i < len; i = end) {
+        bool is_whole = true;
+        in_text ^= bytes[i] == '"';
+        end = i + 1 + (in_text && bytes[i] == '\\');
+        if (in_text || !isdigit((unsigned char)bytes[i]))
+            continue;
+        for (; end < len && (isalnum((unsigned char)bytes[end]) || memchr("+-.", bytes[end], 3)); end++)
+            is_whole &= isdigit((unsigned char)bytes[end]) != 0;
+        if (is_whole && end - i >= DIGITS)
+            memcpy(bytes + end - CUT, "e004", CUT);
+    }
+}
+
+/* *wrong is set where there is none. */
+static json_t *read_text(char *bytes, size_t len, const char **wrong)
+{
+    const size_t flags = JSON_REJECT_DUPLICATES | JSON_DISABLE_EOF_CHECK | JSON_ALLOW_NUL;
+    json_error_t error;
+    json_t *root = json_loadb(bytes, len, flags, &error);
+    if (!root && json_error_code(&error) == json_error_numeric_overflow) {
+        shorten_numbers(bytes, len);
+        root = json_loadb(bytes, len, flags, &error);
+    }
+    if (root)
+        return root;
+    const enum json_error_code code = json_error_code(&error);
+    *wrong = code == json_error_numeric_overflow ? large : code == json_error_invalid_utf8 ? not_text : damaged;
+    return NULL;
+}
+
 const char *gltf_check(char *bytes, size_t len, uint64_t *triangles)
 {
     if (len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
@@ -300,8 +361,10 @@ const char *gltf_check(char *bytes, size_t len, uint64_t *triangles)
             return damaged;
         len = text;
     }
-    json_t *root = json_loadb(bytes, len, JSON_REJECT_DUPLICATES | JSON_DISABLE_EOF_CHECK | JSON_ALLOW_NUL, NULL);
-    const char *wrong = root ? check_root(root, triangles) : damaged;
+    const char *wrong = NULL;
+    json_t *root = read_text(bytes, len, &wrong);
+    if (root)
+        wrong = check_root(root, triangles);
     if (!wrong && is_binary && json_object_get(json_array_get(json_object_get(root, "buffers"), 0), "uri"))
         wrong = elsewhere; /* libassimp does not look there */
     json_decref(root);

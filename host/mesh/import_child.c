@@ -189,7 +189,7 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
                 lead(placing, &uv[from->mIndices[k]], face.uv[k]);
             if (head->has_colors)
                 set_color(face.colors[k], colors, from->mIndices[k]);
-            if (!head->has_normals)
+            if (!mesh->mNormals)
                 continue;
             const struct aiVector3D *normal = &mesh->mNormals[from->mIndices[k]];
             const double points[3] = {(double)normal->x, (double)normal->y, (double)normal->z};
@@ -209,7 +209,7 @@ static void add_scene(struct import_head *head, const struct aiScene *scene, boo
             head->face_count += mesh->mFaces[k].mNumIndices == 3;
         if (head->face_count == before)
             continue; /* points and lines */
-        head->has_normals &= mesh->mNormals != NULL;
+        head->has_normals |= mesh->mNormals != NULL;
         head->has_uv |= mesh->mTextureCoords[0] != NULL;
         head->has_colors |= mesh->mColors[0] != NULL && !is_stl;
         head->has_facet_colors |= mesh->mColors[0] != NULL && is_stl;
@@ -274,7 +274,7 @@ static const char *check_file(struct import_source *source, bool is_gltf, uint64
     if (is_gltf)
         return gltf_check(source->bytes, source->len, triangles);
     if (is_ply)
-        return ply_check(source->bytes, source->len);
+        return ply_check(source->bytes, &source->len);
     const size_t binary = stl_binary_len(source->bytes, source->len);
     if (binary)
         source->len = binary;
@@ -421,7 +421,7 @@ void import_child(const struct import_source *source, int out)
     if (!count)
         return;
     const struct aiScene *scene = scenes[0]; /* materials are the same in both */
-    struct import_head head = {.has_normals = true, .part_count = scene->mNumMaterials};
+    struct import_head head = {.part_count = scene->mNumMaterials};
     for (unsigned i = 0; i < count; i++)
         add_scene(&head, scenes[i], strcmp(source->ending, ".stl") == 0);
     if (linear && head.face_count != triangles) { /* libassimp leaves out those of a glTF */

@@ -181,14 +181,13 @@ static const struct numbers *named(const struct obj *obj, const struct corner *c
     return corner->of[kind] ? &of[corner->of[kind] - 1] : NULL;
 }
 
-/* Normals are those of the file only where every corner has one. */
+/* A corner without a normal has none of length 1. */
 static void look_for(const struct obj *obj, struct soup *soup)
 {
     const struct corner *corners = obj->corners.of;
     const struct numbers *places = obj->numbers[PLACE].of;
-    soup->has_normals = obj->corners.count > 0;
     for (size_t i = 0; i < obj->corners.count; i++) {
-        soup->has_normals &= corners[i].of[NORMAL] != 0;
+        soup->has_normals |= corners[i].of[NORMAL] != 0;
         soup->has_uv |= corners[i].of[UV] != 0;
     }
     for (size_t i = 0; i < obj->numbers[PLACE].count; i++)
@@ -217,7 +216,7 @@ static void set_corner(const struct obj *obj, const struct soup *soup, const str
                          *normal = named(obj, corner, NORMAL);
     for (int k = 0; k < 3; k++) {
         face->places[at][k] = (double)place->at[k];
-        face->normals[at][k] = soup->has_normals ? (double)normal->at[k] : 0;
+        face->normals[at][k] = normal ? (double)normal->at[k] : 0;
         face->colors[at][k] = !soup->has_colors  ? 0
                               : place->has_color ? level_of(obj, place->color[k])
                                                  : soup->materials[face->part].color[k];

@@ -18,7 +18,8 @@ struct property {
 };
 struct element {
     uint64_t count;
-    bool is_known; /* to libassimp */
+    bool is_known;  /* to libassimp */
+    bool has_faces; /* lists of vertices */
     unsigned properties;
     struct property of[PROPERTIES_MAX];
 };
@@ -26,6 +27,7 @@ struct body {
     char *at;
     const char *end;
     bool is_text;
+    bool is_cr; /* lines of the header end in this alone */
 };
 
 static const char ends[] = "it ends before all that its header promises; export or fetch it again",
@@ -35,7 +37,8 @@ static const char ends[] = "it ends before all that its header promises; export 
                   odd_list[] = "a list's length is not a number from 0 on; export it again",
                   short_line[] = "a line of its data has too few numbers: libassimp takes one for each vertex and each "
                                  "face; export it again",
-                  unknown[] = "libassimp does not know an element that stands before others; export it without",
+                  no_faces[] = "it has no faces; make triangles of its points, or export it with its faces",
+                  too_many[] = "its header has more than 16 elements, or 256 properties of one; export it without",
                   torn[] = "a comment that names a texture stands among properties; move it above the elements";
 
 static bool is_blank(char c)
@@ -96,10 +99,11 @@ static unsigned bytes_of(const char *type)
 
 static bool take_property(struct element *element, const char *line)
 {
-    char type[32], count[32];
+    char type[32], count[32], name[32] = "";
     struct property *property = &element->of[element->properties++];
     *property = (struct property){0};
-    if (sscanf(line, "property list %31s %31s", count, type) == 2) {
+    if (sscanf(line, "property list %31s %31s %31s", count, type, name) >= 2) {
+        element->has_faces |= is_in(name, " vertex_indices vertex_index ");
         const bool is_whole = !strstr(count, "float") && !strstr(count, "double");
         property->count_bytes = is_whole ? bytes_of(count) : 0;
         property->is_signed = count[0] != 'u';
@@ -155,12 +159,12 @@ static bool is_texture(const char *line)
     return sscanf(line, "comment %15s", word) == 1 && strcmp(word, "TextureFile") == 0;
 }
 
-/* Returns what is wrong, or NULL; no elements: there are too many of them or of their properties, and libassimp is to judge. Lines that say nothing
- * become blanks before the next one: among properties libassimp takes them for an element's end. */
+/* Returns what is wrong, or NULL. Lines that say nothing become blanks before the next one: among properties libassimp takes them for an element's end.
+ * So do those of elements that it does not know, and does not skip. */
 static const char *read_header(struct body *body, struct element elements[ELEMENTS_MAX], unsigned *count)
 {
     char line[LINE] = "", format[32] = "";
-    bool too_many = false, is_torn = false;
+    bool is_torn = false;
     *count = 0;
     if (next_line(body, line) && !begins(line, "ply"))
         return damaged;
@@ -170,6 +174,8 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
             return ends;
         if (strcmp(line, "end_header") == 0)
             break;
+        if (memchr(from, 0, (size_t)(body->at - from)))
+            return damaged;
         const bool is_element = begins(line, "element"), is_property = begins(line, "property");
         if (is_texture(line)) {
             is_torn = true;
@@ -181,19 +187,19 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
         }
         if (is_property && !*count)
             return damaged;
+        if (is_element ? *count == ELEMENTS_MAX : is_property && elements[*count - 1].properties == PROPERTIES_MAX)
+            return too_many;
         if (is_property && is_torn)
             return torn;
         if (is_property)
             leave_alpha_out(from, body->at);
         is_torn = is_torn && !is_element;
-        too_many = too_many || (is_element && *count == ELEMENTS_MAX) ||
-                   (is_property && elements[*count - 1].properties == PROPERTIES_MAX);
-        if (too_many)
-            continue;
         if (is_element    ? !take_element(&elements[(*count)++], line)
             : is_property ? !take_property(&elements[*count - 1], line)
                           : sscanf(line, "format %31s", format) != 1)
             return damaged;
+        if ((is_element || is_property) && !elements[*count - 1].is_known)
+            memset(from, ' ', (size_t)(body->at - from));
     }
     body->is_text = strcmp(format, "ascii") == 0;
     const bool is_big = strcmp(format, "binary_big_endian") == 0;
@@ -202,8 +208,8 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
     for (unsigned i = 0; i < *count; i++)
         for (unsigned k = 0; k < elements[i].properties; k++)
             elements[i].of[k].is_big = is_big;
-    if (too_many)
-        *count = 0;
+    if (body->is_cr && !body->is_text && body->at[-1] == '\n')
+        body->at--; /* the first of the data */
     return NULL;
 }
 
@@ -303,15 +309,25 @@ static const char *check_element(struct body *body, const struct element *elemen
     return NULL;
 }
 
-/* libassimp does not skip these. */
-static bool has_unknown(const struct element *elements, unsigned count)
+/* What is in an element that libassimp does not know leaves the file. */
+static const char *check_or_cut(struct body *body, const struct element *element)
 {
-    bool is_before = false;
-    for (unsigned i = 0; i < count; i++) {
-        if (is_before && elements[i].is_known && elements[i].count)
-            return true;
-        is_before |= !elements[i].is_known && elements[i].count && elements[i].properties;
+    char *const from = body->at;
+    const char *wrong = check_element(body, element);
+    if (!wrong && !element->is_known) {
+        memmove(from, body->at, (size_t)(body->end - body->at));
+        body->end -= body->at - from;
+        body->at = from;
     }
+    return wrong;
+}
+
+/* libassimp crashes on a file without. */
+static bool has_faces(const struct element *elements, unsigned count)
+{
+    for (unsigned i = 0; i < count; i++)
+        if (elements[i].is_known && elements[i].has_faces && elements[i].count)
+            return true;
     return false;
 }
 
@@ -319,27 +335,29 @@ static bool has_unknown(const struct element *elements, unsigned count)
 static bool may_change_first(const struct element *elements, unsigned count)
 {
     unsigned i = 0;
-    while (i < count && !(elements[i].count && elements[i].properties))
+    while (i < count && !(elements[i].is_known && elements[i].count && elements[i].properties))
         i++;
     return i < count && elements[i].of[0].is_float && !elements[i].of[0].is_big;
 }
 
-const char *ply_check(char *text, size_t len)
+const char *ply_check(char *text, size_t *len)
 {
-    struct body body = {text, text + len, false};
+    struct body body = {text, text + *len, false, *len > 4 && text[3] == '\r' && text[4] != '\n'};
     struct element elements[ELEMENTS_MAX];
     unsigned count;
     const char *wrong = read_header(&body, elements, &count);
-    if (!wrong && !body.is_text && body.at < body.end && *body.at == '\n' && body.at[-2] != '\r') {
-        if (!may_change_first(elements, count))
-            return misread;
-        *body.at = 11;
-    }
-    if (!wrong && has_unknown(elements, count))
-        return unknown;
     if (!wrong && body.is_text)
         skip_blanks(&body);
+    char *const data = body.at;
     for (unsigned i = 0; i < count && !wrong; i++)
-        wrong = check_element(&body, &elements[i]);
+        wrong = check_or_cut(&body, &elements[i]);
+    *len = (size_t)(body.end - text);
+    if (!wrong && !has_faces(elements, count))
+        return no_faces;
+    if (!wrong && !body.is_text && data < body.end && *data == '\n' && (data[-1] == '\r' || data[-2] != '\r')) {
+        if (!may_change_first(elements, count))
+            return misread;
+        *data = 11;
+    }
     return wrong;
 }

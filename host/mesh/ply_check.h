@@ -6,7 +6,8 @@
 
 #include <stddef.h>
 
-/* What is wrong, as the end of a message; NULL: nothing that is seen here, and in the text comments are blanks, among which libassimp loses properties. */
-const char *ply_check(char *text, size_t len);
+/* What is wrong, as the end of a message; NULL: nothing that is seen here, and in the text comments are blanks, among which libassimp loses properties,
+ * and elements that it does not know are gone; *len is how long it is then. */
+const char *ply_check(char *text, size_t *len);
 
 #endif

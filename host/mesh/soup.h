@@ -15,7 +15,8 @@ struct soup {
     char *name; /* for messages */
     size_t face_count;
     struct soup_face *faces;
-    bool has_normals, has_colors, has_uv;
+    bool has_normals; /* a corner without one has none of a length */
+    bool has_colors, has_uv;
     bool has_facet_colors; /* which nothing here reads */
     bool is_stl;           /* its normals are those of its facets, and its z axis points up */
     unsigned part_count;

@@ -189,6 +189,50 @@ static void points_and_lines_take_no_normals_away(void **state)
     assert_drawn_alike("s/\"indices\":1}/&,{\"attributes\":{\"POSITION\":0},\"mode\":0}/", "");
 }
 
+/* The second part is small, in the first one. */
+static void parts_without_normals_take_none_from_others(void **state)
+{
+    (void)state;
+#define WITH_SMALL(normal)                                                                                             \
+    "s/\"nodes\":.0/&,1/; s/{\"mesh\":0}/&,{\"mesh\":1,\"scale\":[0.001,0.001,0.001],"                                 \
+    "\"translation\":[0.2,0.2,0.2]}/; s/],\"buffers\"/,{\"primitives\":[{\"attributes\":{\"POSITION\":0" normal        \
+    "},\"indices\":1}]}&/"
+    assert_drawn_alike(WITH_SMALL(""), WITH_SMALL(",\"NORMAL\":2"));
+}
+
+static void numbers_of_any_size_may_stand_beside(void **state)
+{
+    (void)state;
+    assert_drawn_alike("s/\"scene\":0/&,\"extras\":{\"a \\\\\\\\\\\\\" "
+                       "b\":-123456789012345678901234567890,\"c\":[9223372036854775808]}/",
+                       "s/x/x/");
+    assert_edited_fails("s/\"scene\":0/&,\"extras\":1e999/", "it has a number that is too large");
+    assert_edited_fails("s/\"scene\":0/\"scene\":9223372036854775808/", "damaged");
+}
+
+static void text_that_is_not_utf_8_is_said_to_be(void **state)
+{
+    (void)state;
+    assert_edited_fails("s/\"scene\":0/&,\"extras\":\"K\\xE4se\"/", "it has text that is not UTF-8");
+}
+
+/* libassimp would take these characters for others. */
+static void a_data_uri_is_base64_or_refused(void **state)
+{
+    (void)state;
+    static const char *const edits[] = {"s/base64,....../&!/; s/!./!/", "s/base64,....../&-/; s/-./-/", "s/;base64//",
+                                        "s/base64,/&=/"};
+    assert_quiet("data=$(base64 -w0 base.bin) && sed \"s|base.bin|data:application/octet-stream;base64,$data|\" "
+                 "base.gltf >data.gltf && " RENDER "data.gltf -o a.ppm && " RENDER
+                 "base.gltf -o b.ppm && cmp a.ppm b.ppm");
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
+        char line[300];
+        snprintf(line, sizeof line,
+                 "sed '%s' data.gltf >a.gltf; ! cmp -s a.gltf data.gltf && " RENDER "a.gltf -o no.ppm", edits[i]);
+        assert_fails(line, "the data URI of a buffer is not base64");
+    }
+}
+
 #define SPARSE(count, few, more)                                                                                       \
     ",\"sparse\":{\"count\":" #few ",\"indices\":{\"bufferView\":1,\"componentType\":5121},\"values\":{"               \
     "\"bufferView\":0" more "}}"
@@ -251,6 +295,10 @@ int main(void)
         cmocka_unit_test(parts_that_are_scaled_to_0_are_hidden),
         cmocka_unit_test(bones_may_stand_a_thousand_deep),
         cmocka_unit_test(points_and_lines_take_no_normals_away),
+        cmocka_unit_test(parts_without_normals_take_none_from_others),
+        cmocka_unit_test(numbers_of_any_size_may_stand_beside),
+        cmocka_unit_test(text_that_is_not_utf_8_is_said_to_be),
+        cmocka_unit_test(a_data_uri_is_base64_or_refused),
         cmocka_unit_test(sparse_numbers_are_read_where_libassimp_reads_them),
         cmocka_unit_test(binary_gltf_is_checked_as_text_is),
     };

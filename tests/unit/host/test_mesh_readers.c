@@ -79,9 +79,58 @@ static void a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces(void 
         }
         assert_int_equal(fclose(file), 0);
         assert_same_mesh("a.ply", "cp made.bin.ply made.ply");
+        if (!big)
+            assert_quiet("head -c -94 made.bin.ply >made.bin.head && cp made.bin.ply little.bin.ply");
         if (!big) /* the first byte is 10, by which the number grows hardly */
             assert_same_mesh("a.ply", "{ head -c -94 made.bin.ply; echo; tail -c 93 made.bin.ply; } >made.ply");
     }
+}
+
+/* Among them an element that libassimp does not know. */
+static void a_ply_is_read_whatever_it_holds_before_places_and_faces(void **state)
+{
+    (void)state;
+    static const char camera[] = "element camera 2\nproperty float view\nproperty list uchar short more\n";
+    static const char *const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+    static const uint8_t cameras[2][14] = {{0, 0, 0, 65, 2, 1, 0, 2, 0, 65, 65, 65, 65, 0},
+                                           {65, 0, 0, 0, 2, 0, 1, 0, 2, 65, 65, 65, 65, 0}};
+    for (int format = 0; format < 3; format++) {
+        for (int at = 1; at < 8;
+             at += at == 2 ? 5 : 1) { /* before places, before faces, after them; lines end in CR, too */
+            char head[600] = PLY_VERTICES;
+            FILE *file = fopen("made.ply", "wb");
+            assert_non_null(file);
+            snprintf(head, sizeof head, "ply\nformat %s 1.0\n%s%s%s%s%send_header\n", formats[format],
+                     at & 1 ? camera : "", strstr(PLY_VERTICES, "element"), at & 2 ? camera : "",
+                     "element face 2\nproperty list uchar int vertex_indices\n", at == 7 ? camera : "");
+            for (char *c = head; at >= 4 && (c = strchr(c, '\n'));)
+                *c = '\r';
+            fputs(head, file);
+            for (int part = 0; part < 3; part++) {
+                const bool has_camera = part == 2 ? at == 7 : at >> part & 1;
+                if (has_camera && !format)
+                    fputs("8 2 1 2\n9 0\n", file);
+                if (has_camera && format)
+                    assert_int_equal(fwrite(cameras[format - 1], 14, 1, file), 1);
+                if (!format)
+                    fputs(part == 0 ? "0 0 0\n2 0 0\n0 1 0\n2 2 1\n" : part == 1 ? "3 0 1 2\n3 1 2 3\n" : "", file);
+                const uint32_t places[12] = {0, 0,          0, 0x40000000, 0,          0,
+                                             0, 0x3f800000, 0, 0x40000000, 0x40000000, 0x3f800000},
+                               corners[6] = {0, 1, 2, 1, 2, 3};
+                for (int i = 0; format && part < 2 && i < (part ? 6 : 12); i++) {
+                    const uint32_t word = part ? corners[i] : places[i];
+                    if (part && i % 3 == 0)
+                        fputc(3, file);
+                    fwrite(&(uint32_t){format == 2 ? __builtin_bswap32(word) : word}, 4, 1, file);
+                }
+            }
+            assert_int_equal(fclose(file), 0);
+            assert_same_mesh("a.ply", "true");
+        }
+    }
+    /* the first byte of the data is 10, behind a CR */
+    assert_same_mesh(
+        "a.ply", "tr '\\n' '\\r' <made.bin.head >made.ply && { printf '\\n'; tail -c 93 little.bin.ply; } >>made.ply");
 }
 
 static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **state)
@@ -91,12 +140,19 @@ static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **s
         {"s/^0 1 0/0 1\\n0/", "a line of its data has too few numbers"},
         {"s/^3 0 1 2/3 0 1\\n2/", "a line of its data has too few numbers"},
         {"/^0 0 0/N; s/^0 0 0\\n/0 0 0 /", "it ends before all that its header promises"},
-        {"s/^element face/element camera 1\\nproperty float view_px\\n&/; s/^3 0 1 2/9\\n&/",
-         "libassimp does not know an element that stands before others"},
         {"s/^property float y/comment TextureFile a.png\\n&/",
-         "a comment that names a texture stands among properties"}};
+         "a comment that names a texture stands among properties"},
+        {"s/^end_header/element a 0\\nelement b 0\\nelement c 0\\nelement d 0\\nelement e 0\\nelement f 0\\nelement g "
+         "0\\n"
+         "element h 0\\nelement i 0\\nelement j 0\\nelement k 0\\nelement l 0\\nelement m 0\\nelement n 0\\nelement o "
+         "0\\n&/",
+         "its header has more than 16 elements"},
+        {"/^element face/,/^property list/d; /^3/d", "it has no faces"},
+        {"s/^element face 2/element face 0/; /^3/d", "it has no faces"},
+        {"s/vertex_indices/corners/", "it has no faces"},
+        {"s/vertex_in/&\\x00/", "its header is damaged"}};
     for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
-        char line[300];
+        char line[500];
         snprintf(line, sizeof line, "sed '%s' a.ply >odd.ply && $GLINT bake --mesh odd.ply -o no.c", edits[i][0]);
         assert_fails(line, edits[i][1]);
     }
@@ -111,18 +167,17 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
 {
     (void)state;
     static const char text[] = "solid a\n" FACET(0) "endsolid a\nsolid b\n" FACET(1) FACET(2) "endsolid b";
-    static const char *const whole[] = {"s/solid.*/solid/",
-                                        "s/^/  /; $s/$/ \\t \\r\\n\\n \\n/",
-                                        "s/$/\\r/",
-                                        "s/endsolid/ENDSOLID/",
-                                        "s/.*/\\U&/",
-                                        "s/normal 0 0 1/normal -1.#IND 1.#QNAN0 1.#INF/",
-                                        "s/endsolid/end solid/",
-                                        "$s/$/\\nfacets: 3/",
-                                        "s/\\(.*solid\\).*/\\1 facet solid/",
-                                        "s/^solid.*/& facet endsolid solid/",
-                                        "/^endsolid a/d; /^solid b/d",
-                                        "$s/$/\\x00\\x00/"};
+    static const char *const whole[] = {
+        "s/solid.*/solid/", "s/^/  /; $s/$/ \\t \\r\\n\\n \\n/", "s/$/\\r/", "s/endsolid/ENDSOLID/", "s/.*/\\U&/",
+        "s/normal 0 0 1/normal -1.#IND 1.#QNAN0 1.#INF/", "s/endsolid/end solid/", "$s/$/\\nfacets: 3/",
+        "s/\\(.*solid\\).*/\\1 facet solid/", "s/^solid.*/& facet endsolid solid/", "/^endsolid a/d; /^solid b/d",
+        "$s/$/\\x00\\x00/", "1s/^/\\n\\xEF\\xBB\\xBF/; 1s/^\\n//", "1s/^/\\n\\n/",
+        /* without normals, or with too few numbers of one */
+        "s/ normal 0 0 1//", "s/ normal 0 0 1/ normal/", "s/normal 0 0 1$/normal 0 0/", "0,/ normal/ s/ normal 0 0 1//",
+        "s/normal 0 0 1/normal nan(ind) -nan(ind) INF/",
+        /* all on one line */
+        ":a; N; $!ba; s/\\n/ /g", ":a; N; $!ba; s/\\n/\\t \\t/g; s/solid [ab]/solid/g",
+        ":a; N; $!ba; s/\\n/ /g; s/solid a/& facet of a solid/g", ":a; N; $!ba; s/\\n/ /g; s/ normal 0 0 1//2"};
     write_text("a.stl", text);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
         char made[200];
@@ -139,6 +194,8 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
     }
     write_text("cut.stl", "solid a\nendsolid a\n");
     assert_fails("$GLINT bake --mesh cut.stl -o no.c", "it has no facets");
+    assert_fails("sed 's/ normal 0 0 1//; /loop/d' a.stl >cut.stl && $GLINT bake --mesh cut.stl -o no.c",
+                 "a facet has no normal, and no outer loop");
 }
 
 static void a_binary_stl_may_have_bytes_behind_its_facets(void **state)
@@ -149,6 +206,23 @@ static void a_binary_stl_may_have_bytes_behind_its_facets(void **state)
         "printf '\\0\\0\\200\\077'; head -c 6 /dev/zero; } >binary.stl");
     assert_same_mesh("binary.stl", "{ cat binary.stl; echo; } >made.stl");
     assert_same_mesh("binary.stl", "{ cat binary.stl; head -c 512 /dev/zero; } >made.stl");
+}
+
+static void a_binary_stl_without_facets_or_with_other_bytes_than_its_head_says_is_refused(void **state)
+{
+    (void)state;
+    static const char *const files[][2] = {
+        {"head -c 84 /dev/zero", "it has no facets; export it again"},
+        {"{ printf 'solid'; head -c 79 /dev/zero; }", "it has no facets; export it again"},
+        {"head -c 134 /dev/zero", "its head says that it has no facets, but more follows; export it again"},
+        {"head -c -9 binary.stl | sed '1s/solid/about/'",
+         "it is neither a text that begins with solid nor as long as its head says"},
+        {"echo a", "it is neither a text that begins with solid nor as long as its head says"}};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "%s >odd.stl && $GLINT bake --mesh odd.stl -o no.c", files[i][0]);
+        assert_fails(line, files[i][1]);
+    }
 }
 
 /* ---- other files ---- */
@@ -290,6 +364,16 @@ static void a_normal_that_is_no_number_is_as_if_it_had_no_length(void **state)
     }
 }
 
+/* A corner has its normal where the file has one, and what the faces around it make where it has none. */
+static void corners_without_normals_take_none_from_others(void **state)
+{
+    (void)state;
+    write_text("some.obj",
+               "v 0 0 0\nv 2 0 0\nv 0 2 0\nv 9 0 0\nv 11 0 0\nv 9 2 0\nvn 0 .6 .8\nf 1//1 2//1 3//1\nf 4 5 6\n");
+    assert_same_mesh("some.obj", "sed 's/^f 4 5 6/vn 0 0 1\\nf 4\\/\\/2 5\\/\\/2 6\\/\\/2/' some.obj >made.obj");
+    assert_same_mesh("some.obj", "sed 's/^f 4 5 6/vn 0 0 0\\nf 4\\/\\/2 5 6\\/\\/2/' some.obj >made.obj");
+}
+
 /* A copy of it a colour: 72 million pixels. */
 static void textures_in_many_colours_have_a_limit_of_memory(void **state)
 {
@@ -353,14 +437,17 @@ int main(void)
 #if GLINT_WITH_MESH
         cmocka_unit_test(a_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
+        cmocka_unit_test(a_ply_is_read_whatever_it_holds_before_places_and_faces),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_binary_stl_may_have_bytes_behind_its_facets),
+        cmocka_unit_test(a_binary_stl_without_facets_or_with_other_bytes_than_its_head_says_is_refused),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
         cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
         cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
+        cmocka_unit_test(corners_without_normals_take_none_from_others),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
         cmocka_unit_test(the_search_for_edges_side_by_side_has_a_limit_of_steps),

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * From triangles to a mesh that the library draws: welded, split, ordered, fitted. */
+#include <sys/time.h>
+
 #include "solids.h"
 
 #include "compare/mesh_quality.h"
@@ -95,6 +97,61 @@ static void corners_a_little_apart_are_joined_wherever_cells_end(void **state)
         soup_free(soup);
         mesh_free(mesh);
     }
+}
+
+struct multiple {
+    uint64_t value;
+    uint16_t of;
+};
+
+static int by_value(const void *a, const void *b)
+{
+    const struct multiple *p = a, *q = b;
+    return p->value < q->value ? -1 : p->value > q->value;
+}
+
+/* For a hash of cells by multiplication, the upper 16 bits: all corners are in one list. */
+static void corners_chosen_for_one_list_are_joined_in_little_time(void **state)
+{
+    (void)state;
+    enum { SIDE = 50000, FACES = 65000, STEPS = 1 << 16 };
+    const uint64_t factor = 0x9e3779b97f4a7c15u;
+    struct multiple *multiples = calloc(STEPS, sizeof *multiples);
+    double(*places)[3] = calloc(3 * FACES, sizeof *places);
+    int(*faces)[3] = calloc(FACES, sizeof *faces);
+    assert_true(multiples && places && faces);
+    for (uint64_t i = 0; i < STEPS; i++)
+        multiples[i] = (struct multiple){i * factor, (uint16_t)i};
+    qsort(multiples, STEPS, sizeof *multiples, by_value);
+    places[0][0] = 2 * SIDE; /* beside 0, 0, 0: the mesh's size is 10^5, its tolerance 1 */
+    size_t count = 2;
+    for (uint64_t i = 1; count < 3 * FACES; i++) {
+        const uint64_t x = i % SIDE, y = i / SIDE, rest = (x * factor ^ y) * factor, base = (rest >> 16 << 16) * factor;
+        size_t low = 0, high = STEPS;
+        while (low < high) {
+            const size_t middle = (low + high) / 2;
+            if (multiples[middle].value < -base)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        const uint64_t z = low < STEPS ? multiples[low].of ^ (rest & 65535) : SIDE;
+        if (z < SIDE && ((rest ^ z) * factor) >> 48 == 0)
+            memcpy(places[count++], (double[]){(double)(2 * x + 1), (double)(2 * y + 1), (double)(2 * z + 1)},
+                   sizeof *places);
+    }
+    for (int i = 0; i < 3 * FACES; i++)
+        faces[i / 3][i % 3] = i;
+    struct soup *soup = soup_made(places, (const int(*)[3])faces, FACES);
+    setitimer(ITIMER_VIRTUAL, &(struct itimerval){.it_value.tv_sec = 10}, NULL);
+    struct mesh *mesh = mesh_weld(soup, 60);
+    setitimer(ITIMER_VIRTUAL, &(struct itimerval){.it_value.tv_sec = 0}, NULL);
+    assert_int_equal(mesh->place_count, 3 * FACES);
+    mesh_free(mesh);
+    soup_free(soup);
+    free(multiples);
+    free(places);
+    free(faces);
 }
 
 static void triangles_without_an_area_are_left_out(void **state)
@@ -259,6 +316,7 @@ int main(void)
         cmocka_unit_test(a_vector_without_a_direction_is_told),
         cmocka_unit_test(corners_at_one_place_are_joined_and_a_crease_parts_their_normals),
         cmocka_unit_test(corners_a_little_apart_are_joined_wherever_cells_end),
+        cmocka_unit_test(corners_chosen_for_one_list_are_joined_in_little_time),
         cmocka_unit_test(triangles_without_an_area_are_left_out),
         cmocka_unit_test(a_files_normals_are_kept_and_made_where_they_have_no_direction),
         cmocka_unit_test(splitting_leaves_no_t_junction_also_at_creases),
