@@ -173,7 +173,7 @@ void glint_levels_fold(struct glint_paint *p, const struct glint_coefficients *c
     const unsigned shift = levels_shift(m, c, max, up);
     const bool grey = glint_format_is_grey(p->output.format);
     const uint32_t half = grey || p->output.dither ? 0 : (uint32_t)1 << (shift - 1);
-    const bool is_down = p->of.exact.nl_down;
+    const uint32_t is_down = p->of.exact.nl_down != 0;
     p->of.exact.shift = shift;
     p->of.exact.w = p->of.exact.w_maps = 0;
     for (int k = 0; k < 3; k++) {
