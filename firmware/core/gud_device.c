@@ -55,7 +55,7 @@ static int data_bytes(const struct gud_device *d, const struct gud_setup *setup)
     case GUD_SET_STATE_COMMIT:
         return 0;
     case GUD_SET_BUFFER:
-        return d->config->whole_frames ? GUD_STALL : GUD_RECTANGLE_BYTES;
+        return GUD_RECTANGLE_BYTES;
     case GUD_SET_STATE_CHECK:
         return d->config->dimmable && setup->length > GUD_STATE_BYTES ? GUD_DATA_BYTES : GUD_STATE_BYTES;
     case GUD_SET_CONTROLLER_ENABLE:

@@ -43,7 +43,8 @@ struct gud_device_config {
     uint8_t format_count;   /* 1..GUD_FORMATS_MAX */
     bool status_after_set;  /* for USB stacks that cannot refuse a request once its data is there */
     bool dimmable;          /* offers brightness */
-    /* For panels that do not take windows of any size: hosts send nothing else, without GUD_SET_BUFFER or LZ4. */
+    /* For panels that do not take windows of any size: hosts send nothing else, without LZ4, and without GUD_SET_BUFFER until a
+     * frame has failed. */
     bool whole_frames;
     uint32_t max_buffer; /* stated to hosts: bytes of a rectangle before compression; at least a line */
     uint8_t *lines;      /* GUD_DEVICE_LINE_BYTES */
