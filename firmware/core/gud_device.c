@@ -205,6 +205,12 @@ void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
         d->status = (uint8_t)status;
 }
 
+void gud_device_restart(struct gud_device *d)
+{
+    if (d->config->whole_frames)
+        gud_rectangle_close(d);
+}
+
 /* ---- the bus ---- */
 
 void gud_device_reset(struct gud_device *d)

@@ -98,6 +98,8 @@ bool gud_device_set(struct gud_device *device, const struct gud_setup *setup, co
 /* Bytes that the host has still to send for the rectangle; 0: none is expected. */
 uint32_t gud_device_expects(const struct gud_device *device);
 void gud_device_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);
+/* The host has halted the bulk endpoint or ended a halt: what nothing announces begins anew. */
+void gud_device_restart(struct gud_device *device);
 /* Bus reset, disconnect, deconfigured: all that the host had set is gone, the display is off. */
 void gud_device_reset(struct gud_device *device);
 /* The display is off between the two. */

@@ -148,6 +148,37 @@ static void a_device_of_whole_frames_takes_an_announcement_of_a_whole_one(void *
     assert_int_equal(board.whole, 4);
 }
 
+static void a_restart_of_the_bulk_data_ends_a_frame_that_nothing_announced(void **state)
+{
+    (void)state;
+    uint8_t bytes[2 * WIDTH * HEIGHT];
+    fill_random(bytes, sizeof bytes);
+    go(GUD_RGB565);
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, HEIGHT, sizeof bytes, 0, 0}), GUD_OK);
+    gud_device_restart(&board.device); /* not one that was announced */
+    assert_int_equal(gud_device_expects(&board.device), sizeof bytes);
+    send(bytes, sizeof bytes, false);
+    assert_int_equal(board.whole, 1);
+    take_whole_frames();
+    go(GUD_RGB565);
+    for (size_t cut = 0; cut < sizeof bytes; cut += 7) {
+        const unsigned whole = board.whole;
+        send(bytes, cut, false);
+        gud_device_restart(&board.device);
+        assert_int_equal(board.windows, board.ends);
+        assert_int_equal(gud_device_expects(&board.device), 0);
+        send(bytes, sizeof bytes, true);
+        assert_int_equal(board.whole, whole + 1);
+        assert_int_equal(gud_device_expects(&board.device), 0);
+    }
+    board.busy = true; /* also one that is dropped */
+    send(bytes, 50, false);
+    board.busy = false;
+    gud_device_restart(&board.device);
+    send(bytes, 1, false);
+    assert_int_equal(board.windows, board.ends + 1);
+}
+
 static void any_pieces_raw_or_compressed_draw_the_same(void **state)
 {
     (void)state;
@@ -335,6 +366,7 @@ int main(void)
         DEVICE_TEST(a_board_that_is_busy_says_so),
         DEVICE_TEST(a_device_that_takes_whole_frames_alone_needs_no_request_for_each),
         DEVICE_TEST(a_device_of_whole_frames_takes_an_announcement_of_a_whole_one),
+        DEVICE_TEST(a_restart_of_the_bulk_data_ends_a_frame_that_nothing_announced),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),
         DEVICE_TEST(every_format_is_converted_to_the_panels),
         DEVICE_TEST(bulk_that_no_rectangle_expects_is_dropped),
