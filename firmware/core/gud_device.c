@@ -55,7 +55,7 @@ static int data_bytes(const struct gud_device *d, const struct gud_setup *setup)
     case GUD_SET_STATE_COMMIT:
         return 0;
     case GUD_SET_BUFFER:
-        return d->config->whole_frames ? GUD_STALL : GUD_RECTANGLE_BYTES;
+        return GUD_RECTANGLE_BYTES;
     case GUD_SET_STATE_CHECK:
         return d->config->dimmable && setup->length > GUD_STATE_BYTES ? GUD_DATA_BYTES : GUD_STATE_BYTES;
     case GUD_SET_CONTROLLER_ENABLE:
@@ -203,6 +203,12 @@ void gud_device_bulk(struct gud_device *d, const uint8_t *bytes, size_t count)
     const enum gud_status status = gud_rectangle_bulk(d, bytes, count);
     if (status != GUD_OK)
         d->status = (uint8_t)status;
+}
+
+void gud_device_restart(struct gud_device *d)
+{
+    if (d->config->whole_frames)
+        gud_rectangle_close(d);
 }
 
 /* ---- the bus ---- */

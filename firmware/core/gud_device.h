@@ -43,7 +43,8 @@ struct gud_device_config {
     uint8_t format_count;   /* 1..GUD_FORMATS_MAX */
     bool status_after_set;  /* for USB stacks that cannot refuse a request once its data is there */
     bool dimmable;          /* offers brightness */
-    /* For panels that do not take windows of any size: hosts send nothing else, without GUD_SET_BUFFER or LZ4. */
+    /* For panels that do not take windows of any size: hosts send nothing else, without LZ4, and without GUD_SET_BUFFER until a
+     * frame has failed. */
     bool whole_frames;
     uint32_t max_buffer; /* stated to hosts: bytes of a rectangle before compression; at least a line */
     uint8_t *lines;      /* GUD_DEVICE_LINE_BYTES */
@@ -97,6 +98,8 @@ bool gud_device_set(struct gud_device *device, const struct gud_setup *setup, co
 /* Bytes that the host has still to send for the rectangle; 0: none is expected. */
 uint32_t gud_device_expects(const struct gud_device *device);
 void gud_device_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);
+/* The host has halted the bulk endpoint or ended a halt: what nothing announces begins anew. */
+void gud_device_restart(struct gud_device *device);
 /* Bus reset, disconnect, deconfigured: all that the host had set is gone, the display is off. */
 void gud_device_reset(struct gud_device *device);
 /* The display is off between the two. */

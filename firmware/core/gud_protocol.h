@@ -50,7 +50,7 @@ enum gud_format {
 
 enum {
     GUD_FLAG_STATUS = 1 << 0,      /* the host is to read the status after each SET */
-    GUD_FLAG_FULL_UPDATE = 1 << 1, /* whole frames only, without GUD_SET_BUFFER; not with LZ4 */
+    GUD_FLAG_FULL_UPDATE = 1 << 1, /* whole frames only; GUD_SET_BUFFER after one that failed; no LZ4 */
     GUD_COMPRESSION_LZ4 = 1,       /* a raw LZ4 block */
     GUD_VERSION = 1,
     GUD_INTERFACE_CLASS = 0xff,

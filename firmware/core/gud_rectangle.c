@@ -23,7 +23,7 @@ void gud_rectangle_close(struct gud_device *d)
 static bool lies_inside(const struct gud_device_config *c, const struct gud_rectangle *r)
 {
     return r->width && r->height && r->x < c->width && r->y < c->height && r->width <= c->width - r->x &&
-           r->height <= c->height - r->y;
+           r->height <= c->height - r->y && (!c->whole_frames || (r->width == c->width && r->height == c->height));
 }
 
 /* Of a rectangle that lies inside. One larger than max_buffer is taken where memory allows: Linux (6.1) aligns the left side

@@ -81,6 +81,20 @@ run([
       judge.same(judge.look(wires.transcript()), judge.seen(shown565(bytes)), `picture ${seed}`)
     }
   }],
+  ['after a cut frame the next one begins where the host announces it, as Linux does, or ends a halt', () => {
+    const gud = new Gud(host), length = 2 * width * height
+    const again = [['announced', () => check(gud.buffer({ x: 0, y: 0, width, height, length }), `refused with status ${gud.status()}`)],
+      ['after CLEAR_FEATURE', () => check(host.clear_halt(1), 'CLEAR_FEATURE is refused')],
+      ['after a halt and its end', () => check(host.halt(1) && host.clear_halt(1), 'SET_FEATURE or CLEAR_FEATURE is refused')]]
+    for (const [i, [what, begin]] of again.entries()) {
+      host.bulk(1, picture565(width, height, 10 + i).subarray(0, 64 * (50 + i)))
+      begin()
+      const bytes = picture565(width, height, 20 + i)
+      host.bulk(1, bytes)
+      pico.run(() => false, 1)
+      judge.same(judge.look(wires.transcript()), judge.seen(shown565(bytes)), what)
+    }
+  }],
   ['windows are even, writes are not small, and select frames whole bytes', () => {
     equal(wires.faults.length, 0, `faults, the first: ${wires.faults[0]}`)
     check(wires.small >= 72 && wires.small < Infinity, `the smallest write has ${wires.small} bytes`)

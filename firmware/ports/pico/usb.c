@@ -121,11 +121,17 @@ static void take(enum usb_interface interface, const uint8_t *bytes, size_t coun
         light_device_bulk(usb.light, bytes, count);
 }
 
+static void restart(enum usb_interface interface)
+{
+    if (interface == USB_GUD)
+        gud_device_restart(usb.gud);
+}
+
 /* ---- start ---- */
 
 void usb_start(struct gud_device *gud, struct light_device *light)
 {
-    static const struct usb_class_ops bulk = {has_room, take};
+    static const struct usb_class_ops bulk = {has_room, take, restart};
     usb.gud = gud;
     usb.light = light;
     (void)usb_serial();

@@ -81,8 +81,10 @@ static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *w
                          (what->bRequest == TUSB_REQ_SET_FEATURE || what->bRequest == TUSB_REQ_CLEAR_FEATURE) &&
                          what->wValue == TUSB_REQ_FEATURE_EDPT_HALT;
     for (unsigned i = 0; i < USB_INTERFACES && is_halt && stage == CONTROL_STAGE_SETUP; i++)
-        if (bulk[i].endpoint && bulk[i].endpoint == what->wIndex)
+        if (bulk[i].endpoint && bulk[i].endpoint == what->wIndex) {
             halt(port, &bulk[i], what->bRequest == TUSB_REQ_SET_FEATURE);
+            ops->restart((enum usb_interface)i);
+        }
     return false;
 }
 

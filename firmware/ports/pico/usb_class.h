@@ -11,10 +11,11 @@
 enum usb_interface { USB_GUD, USB_LIGHT, USB_INTERFACES = 1 + OFFERS_LIGHT };
 enum { USB_PACKET = 64 };
 
-/* Where bulk bytes go. Packets are taken only if there is room; else the host waits. */
+/* Where bulk bytes go. Packets are taken only if there is room; else the host waits. Restart: a halt, or its end. */
 struct usb_class_ops {
     bool (*has_room)(enum usb_interface interface, size_t count);
     void (*take)(enum usb_interface interface, const uint8_t *bytes, size_t count);
+    void (*restart)(enum usb_interface interface);
 };
 
 void usb_class_start(const struct usb_class_ops *ops); /* before tusb_init */

@@ -83,14 +83,19 @@ static void a_board_that_is_busy_says_so(void **state)
     assert_int_equal(ask(&(struct gud_rectangle){0, 0, 1, 1, 2, 0, 0}), GUD_OK);
 }
 
+static void take_whole_frames(void)
+{
+    board.config.window = NULL;
+    board.config.whole_frames = true;
+    assert_true(gud_device_init(&board.device, &board.config));
+}
+
 static void a_device_that_takes_whole_frames_alone_needs_no_request_for_each(void **state)
 {
     (void)state;
     struct gud_descriptor d;
     uint8_t bytes[2 * WIDTH * HEIGHT];
-    board.config.window = NULL;
-    board.config.whole_frames = true;
-    assert_true(gud_device_init(&board.device, &board.config));
+    take_whole_frames();
     assert_int_equal(get(GUD_GET_DESCRIPTOR, 30), 30);
     assert_true(gud_descriptor_unpack(&d, reply));
     assert_int_equal(d.flags, GUD_FLAG_FULL_UPDATE);
@@ -105,7 +110,6 @@ static void a_device_that_takes_whole_frames_alone_needs_no_request_for_each(voi
         assert_true(board.box.w == WIDTH && board.box.h == HEIGHT && gud_device_expects(&board.device) == 0);
     }
     assert_int_equal(status(), GUD_OK);
-    assert_int_equal(ask(&(struct gud_rectangle){0, 0, 1, 1, 2, 0, 0}), GUD_UNSUPPORTED);
     board.busy = true; /* what begins then is dropped, to its end */
     send(bytes, 50, false);
     board.busy = false;
@@ -117,6 +121,62 @@ static void a_device_that_takes_whole_frames_alone_needs_no_request_for_each(voi
     assert_int_equal(board.ends, 4);
     send(bytes, sizeof bytes, true);
     assert_int_equal(board.whole, 4);
+}
+
+/* Linux announces the frame that follows one that failed. */
+static void a_device_of_whole_frames_takes_an_announcement_of_a_whole_one(void **state)
+{
+    (void)state;
+    uint8_t bytes[2 * WIDTH * HEIGHT];
+    take_whole_frames();
+    go(GUD_RGB565);
+    fill_random(bytes, sizeof bytes);
+    for (unsigned i = 1; i <= 3; i++) {
+        send(bytes, 100, false);
+        assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, HEIGHT, sizeof bytes, 0, 0}), GUD_OK);
+        assert_int_equal(gud_device_expects(&board.device), sizeof bytes);
+        send(bytes, sizeof bytes, i != 2);
+        assert_int_equal(board.whole, i);
+        assert_int_equal(board.ends, 2 * i);
+        assert_int_equal(gud_device_expects(&board.device), 0);
+    }
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, HEIGHT - 1, 2 * WIDTH * (HEIGHT - 1), 0, 0}),
+                     GUD_PARAMETER);
+    assert_int_equal(ask(&(struct gud_rectangle){1, 0, WIDTH - 1, HEIGHT, 2 * (WIDTH - 1) * HEIGHT, 0, 0}),
+                     GUD_PARAMETER);
+    send(bytes, sizeof bytes, false); /* and goes on without one */
+    assert_int_equal(board.whole, 4);
+}
+
+static void a_restart_of_the_bulk_data_ends_a_frame_that_nothing_announced(void **state)
+{
+    (void)state;
+    uint8_t bytes[2 * WIDTH * HEIGHT];
+    fill_random(bytes, sizeof bytes);
+    go(GUD_RGB565);
+    assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, HEIGHT, sizeof bytes, 0, 0}), GUD_OK);
+    gud_device_restart(&board.device); /* not one that was announced */
+    assert_int_equal(gud_device_expects(&board.device), sizeof bytes);
+    send(bytes, sizeof bytes, false);
+    assert_int_equal(board.whole, 1);
+    take_whole_frames();
+    go(GUD_RGB565);
+    for (size_t cut = 0; cut < sizeof bytes; cut += 7) {
+        const unsigned whole = board.whole;
+        send(bytes, cut, false);
+        gud_device_restart(&board.device);
+        assert_int_equal(board.windows, board.ends);
+        assert_int_equal(gud_device_expects(&board.device), 0);
+        send(bytes, sizeof bytes, true);
+        assert_int_equal(board.whole, whole + 1);
+        assert_int_equal(gud_device_expects(&board.device), 0);
+    }
+    board.busy = true; /* also one that is dropped */
+    send(bytes, 50, false);
+    board.busy = false;
+    gud_device_restart(&board.device);
+    send(bytes, 1, false);
+    assert_int_equal(board.windows, board.ends + 1);
 }
 
 static void any_pieces_raw_or_compressed_draw_the_same(void **state)
@@ -305,6 +365,8 @@ int main(void)
         DEVICE_TEST(compression_that_is_not_offered_is_refused),
         DEVICE_TEST(a_board_that_is_busy_says_so),
         DEVICE_TEST(a_device_that_takes_whole_frames_alone_needs_no_request_for_each),
+        DEVICE_TEST(a_device_of_whole_frames_takes_an_announcement_of_a_whole_one),
+        DEVICE_TEST(a_restart_of_the_bulk_data_ends_a_frame_that_nothing_announced),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),
         DEVICE_TEST(every_format_is_converted_to_the_panels),
         DEVICE_TEST(bulk_that_no_rectangle_expects_is_dropped),
