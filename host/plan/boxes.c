@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "plan/boxes.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -111,12 +112,13 @@ double boxes_of_spans(const struct changes *changes, const struct box_price *pri
     struct near near = {.count = 0};
     double bytes = 0;
     const unsigned end = (unsigned)changes->bounds.y + changes->bounds.h;
-    for (unsigned y = changes->bounds.y; y < end && bytes < limit; y++) {
+    unsigned y = changes->bounds.y;
+    for (; y < end && bytes < limit; y++) {
         near_drop_above(&near, boxes, y);
         add_spans(changes, price, (uint16_t)y, &spans);
         for (size_t i = 0; i < spans.count; i++)
             bytes += add_span(price, &spans.list[i], &near, boxes);
     }
     free(spans.list);
-    return bytes;
+    return y < end ? INFINITY : bytes;
 }

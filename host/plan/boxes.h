@@ -20,7 +20,8 @@ struct box_price {
 
 struct glint_box box_join(const struct glint_box *a, const struct glint_box *b); /* the smallest around both */
 
-/* The spans that changed, from the top line down, grown together where that is cheaper; given up where they take `limit` bytes or more. */
+/* The spans that changed, from the top line down, grown together where that is cheaper; INFINITY where they were given up at `limit` bytes, and are not
+ * all. */
 double boxes_of_spans(const struct changes *changes, const struct box_price *price, double limit, struct boxes *boxes);
 
 #endif
