@@ -148,6 +148,11 @@ void eva_colour_mapped(void)
     of_colours(12);
     mapped(&glint_use_colour_maps, false);
 }
+void eva_dither_mapped(void)
+{
+    of_dither(12);
+    mapped(&glint_use_colour_dithered_maps, false);
+}
 void eva_albedo_mapped(void)
 {
     of_levels(12);
