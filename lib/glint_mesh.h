@@ -142,7 +142,7 @@ enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint
  * 4, until the picture is drawn, like the paints. Under one directional light t is the quadratic above. Under points, spots and several
  * lights, for Phong and with n_across, normals are interpolated instead, and a pixel's place is that of the surface before projection. The
  * viewer is distant, also under perspective.
- * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a frame of zeros, *drawn in its picture already, a paint of zeros or never lit, paints of
+ * GLINT_ERR_ARG: NULL, too few bytes, misaligned, a mesh without vertices, a frame of zeros, *drawn in its picture already, a paint of zeros or never lit, paints of
  * different lights, or of another format than the picture's meshes before; no room for lights; n_across without use_grain, or not under
  * one directional light; COLOUR tables with colours of the mesh or a texture; ALBEDO tables with neither; a texture, or colours by ALBEDO
  * tables, without use. GLINT_ERR_VECTOR: a quaternion of 0. */

@@ -46,8 +46,9 @@ bool glint_mesh_is_lit(const struct glint_paint *paint);
 /* Before a strip: it has no paint's lights at hand, as paints may have been lit again. Its memory is the frame's. */
 void glint_mesh_lit_begin(void *memory);
 
-/* Draws a triangle's lines from the first in the strip up to where the triangle or the strip ends; it then stands there. The triangle is
- * that of a struct glint_mesh_kept, which knows its face. */
+/* Draws a triangle's lines from the first in the strip up to where the triangle or the strip ends; it then stands there, but one
+ * by ALBEDO tables for which there was no place, which the next strip skips on in. The triangle is that of a struct glint_mesh_kept,
+ * which knows its face. */
 void glint_mesh_rows(const struct glint_paint *paint, struct glint_mesh_triangle *triangle,
                      const struct glint_mesh_target *target);
 

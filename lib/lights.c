@@ -396,7 +396,7 @@ static enum glint_err lights_light(struct glint_paint *paint, const struct glint
     for (unsigned i = 0; i < count; i++)
         paint->of.exact.halves[i] = halves[i];
     (void)glint_vec_of_q30(&paint->v, v_q30, 0);
-    /* A mesh's faces are matt to what looks at one light, whatever the memory held. */
+    /* A mesh sets its faces up by these of one light: alike, whatever the memory held. */
     paint->l.x = paint->l.y = paint->l.z = 0;
     paint->h = paint->l;
     paint->several = &glint_use_lights;

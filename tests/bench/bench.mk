@@ -31,7 +31,7 @@ BENCH_SOURCES = $(wildcard lib/*.c lib/*.S) $(BENCH_FIXMATH) \
 	$(filter-out $(if $(BENCH_FIXMATH),,%/fixmath.c),$(wildcard tests/bench/*.c))
 # The counted programs have their start-up code and linker scripts. Boards whose core is counted: a new board is. The M0s have emulated
 # cycles, -c repeats a board without its own loops, and of the others there is no clock or no room.
-BENCH_BOARDS = $(filter-out microbit rp2040% %-c lx106% atmega328%,$(BARE_BOARDS))
+BENCH_BOARDS = $(filter-out microbit rp2040% %-c lx106% atmega328% atmega1284%,$(BARE_BOARDS))
 BENCH_IMAGES = $(foreach board,$(BENCH_BOARDS),$(bare_image_$(board)))
 BENCH_INPUTS = $(BENCH_SOURCES) $(wildcard lib/*.h lib/*.inc tests/bench/*.h) tests/targets/targets.py tests/bench/m0plus.ld tests/bench/bench.mk
 
