@@ -264,6 +264,40 @@ static void a_signal_ends_the_video_in_a_pipe_after_a_whole_frame(void **state)
     assert_int_equal((len - (size_t)(end_of_header + 1 - bytes)) % 7206, 0);
 }
 
+/* A machine that stands still may take two signals for one: the second is sent again. */
+static void a_signal_half_a_second_after_the_first_ends_a_video_that_nothing_reads(void **state)
+{
+    (void)state;
+    int ends[2], status = 0;
+    assert_int_equal(pipe(ends), 0);
+    const pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0) {
+        dup2(ends[1], STDOUT_FILENO);
+        close(ends[0]);
+        close(ends[1]);
+        execl("/bin/sh", "sh", "-c", "exec " COIN "--frames 1000000 -o -", (char *)NULL);
+        _exit(127);
+    }
+    while (poll(&(struct pollfd){.fd = ends[1], .events = POLLOUT}, 1, 0) > 0 && lives(child))
+        usleep(1000);
+    assert_int_equal(kill(child, SIGTERM), 0);
+    pid_t gone = 0;
+    for (int tries = 0; tries < 100 && !gone; tries++) {
+        usleep(600000);
+        kill(child, SIGINT);
+        for (int turns = 0; turns < 50 && !(gone = waitpid(child, &status, WNOHANG)); turns++)
+            usleep(1000);
+    }
+    if (!gone) {
+        kill(child, SIGKILL);
+        waitpid(child, &status, 0);
+    }
+    close(ends[0]);
+    close(ends[1]);
+    assert_true(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT);
+}
+
 static void one_stopped_before_its_first_frame_leaves_no_file(void **state)
 {
     (void)state;
@@ -283,6 +317,7 @@ int main(void)
         cmocka_unit_test(without_o_or_in_a_place_that_cannot_be_written_there_is_one_line_and_no_file),
         cmocka_unit_test(a_signal_ends_the_video_after_a_whole_frame),
         cmocka_unit_test(two_signals_at_once_end_the_video_after_a_whole_frame_too),
+        cmocka_unit_test(a_signal_half_a_second_after_the_first_ends_a_video_that_nothing_reads),
         cmocka_unit_test(a_signal_ends_the_video_in_a_pipe_after_a_whole_frame),
         cmocka_unit_test(one_stopped_before_its_first_frame_leaves_no_file),
     };
