@@ -177,7 +177,10 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
         "s/normal 0 0 1/normal nan(ind) -nan(ind) INF/",
         /* all on one line */
         ":a; N; $!ba; s/\\n/ /g", ":a; N; $!ba; s/\\n/\\t \\t/g; s/solid [ab]/solid/g",
-        ":a; N; $!ba; s/\\n/ /g; s/solid a/& facet of a solid/g", ":a; N; $!ba; s/\\n/ /g; s/ normal 0 0 1//2"};
+        ":a; N; $!ba; s/\\n/ /g; s/solid a/& facet of a solid/g", ":a; N; $!ba; s/\\n/ /g; s/ normal 0 0 1//2",
+        /* a solid behind another's end, and bytes of zero between words */
+        ":a; N; $!ba; s/\\nsolid/ solid/", ":a; N; $!ba; s/\\nsolid/ solid solid/", "s/^facet/\\x00&/",
+        "s/^facet/\\x00\\x00 \\x00&/; s/^vertex /&\\x00/; s/loop/\\x00&/; s/^endsolid a/&\\x00/"};
     write_text("a.stl", text);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
         char made[200];
