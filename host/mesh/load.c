@@ -123,12 +123,10 @@ struct mesh *mesh_load(const struct mesh_source *source)
     struct soup *soup = source->built_in ? teapot() : read_file(source);
     mesh_surface_begin(soup, source);
     struct mesh *mesh = mesh_weld(soup, source->built_in && source->crease < 0 ? 180 : source->crease);
-    const bool own = soup->has_normals && source->crease < 0;
     mesh_surface_end(mesh, soup, source);
     mesh->has_facet_colors = soup->has_facet_colors;
     soup_free(soup);
-    mesh->has_own_normals = own;
-    const double degrees = source->split > 0 ? source->split : own ? SPLIT_OWN : SPLIT_USUAL;
+    const double degrees = source->split > 0 ? source->split : mesh->has_own_normals ? SPLIT_OWN : SPLIT_USUAL;
     if (!source->faces_most) {
         mesh_split(mesh, degrees);
     } else if (!mesh_split_within(mesh, degrees, source->faces_most)) {

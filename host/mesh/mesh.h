@@ -52,7 +52,7 @@ struct mesh {
     char *name; /* for messages */
     size_t vertex_count, face_count, place_count;
     size_t whole_vertex_count, whole_face_count; /* before edges were split */
-    bool has_own_normals;                        /* of its file */
+    bool has_own_normals;                        /* of its file, at every corner */
     double split;                                /* over which angle, in degrees */
     double whole_turn;                           /* the most that a normal turned over an edge before, in degrees */
     double (*places)[3], (*normals)[3];          /* of each vertex; normals have length 1 */

@@ -36,8 +36,9 @@ static bool is_blank(char c)
 
 static bool next_word(struct words *words)
 {
-    while (words->at < words->end && is_blank(*words->at))
-        words->at++;
+    for (; words->at < words->end && is_blank(*words->at); words->at++)
+        if (!*words->at)
+            *words->at = ' '; /* libassimp ends there */
     words->word = words->at;
     while (words->at < words->end && !is_blank(*words->at))
         words->at++;
@@ -57,8 +58,8 @@ static bool next_on_line(struct words *words)
     return words->at < words->end && !is_blank(*words->at) && next_word(words);
 }
 
-/* Where a name ends that stands behind solid or endsolid: with its line, but where all is on one line before what follows: a facet
- * with a normal, or with a loop. */
+/* Where a name ends that stands behind solid or endsolid: with its line, but before what follows on it: a facet with a normal or a
+ * loop, or the solid that it or the next line's facet is of. */
 static char *name_end(struct words words, bool is_end)
 {
     enum { NAME, IS_FACET, IS_NORMAL, IS_OUTER } step = NAME;
@@ -74,7 +75,8 @@ static char *name_end(struct words words, bool is_end)
         facet = step == IS_FACET ? words.word : facet;
         solid = step == NAME && is_word(&words, "solid") ? words.word : solid;
     }
-    return words.at;
+    char *const line_end = words.at;
+    return is_end && solid && next_word(&words) && is_word(&words, "facet") ? solid : line_end;
 }
 
 /* Some names crash libassimp. */
@@ -175,12 +177,13 @@ static const char *check_text(struct words *words)
 const char *stl_check(char *bytes, size_t len)
 {
     struct words words = {bytes, bytes + len, NULL, 0};
+    const bool is_hollow = len > HEAD && memcmp(bytes + HEAD - 4, "\0\0\0\0", 4) == 0;
     if (len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
         memset(bytes, ' ', 3);
     if (stl_binary_len(bytes, len))
         return len == HEAD ? empty : NULL;
     if (!next_word(&words) || !is_word(&words, "solid"))
-        return len > HEAD && memcmp(bytes + HEAD - 4, "\0\0\0\0", 4) == 0 ? hollow : odd_len;
+        return is_hollow ? hollow : odd_len;
     memset(bytes, ' ', (size_t)(words.word - bytes)); /* libassimp knows no empty lines there */
     return check_text(&words);
 }

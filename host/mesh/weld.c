@@ -166,7 +166,9 @@ struct mesh *mesh_weld(const struct soup *soup, double crease)
     if (!mesh->face_count)
         fail("%s: has no triangle with an area; repair the mesh", soup->name);
     double(*normals)[3][3] = allocate(mesh->face_count, sizeof *normals);
-    if (crease >= 0 || !soup->has_normals || !corner_normals_given(soup, from, mesh->face_count, normals)) {
+    mesh->has_own_normals =
+        crease < 0 && soup->has_normals && corner_normals_given(soup, from, mesh->face_count, normals);
+    if (!mesh->has_own_normals) {
         corner_normals_made(grid->places, faces, mesh->face_count, crease < 0 ? CREASE_USUAL : crease, normals);
         if (crease < 0)
             corner_normals_given(soup, from, mesh->face_count, normals);

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Files of meshes as programs write them, and damaged ones: what is read as it is meant, and what is refused or left out with one line. */
+#include <math.h>
+
 #include "files.h"
 
 #if GLINT_WITH_MESH
@@ -177,7 +179,10 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
         "s/normal 0 0 1/normal nan(ind) -nan(ind) INF/",
         /* all on one line */
         ":a; N; $!ba; s/\\n/ /g", ":a; N; $!ba; s/\\n/\\t \\t/g; s/solid [ab]/solid/g",
-        ":a; N; $!ba; s/\\n/ /g; s/solid a/& facet of a solid/g", ":a; N; $!ba; s/\\n/ /g; s/ normal 0 0 1//2"};
+        ":a; N; $!ba; s/\\n/ /g; s/solid a/& facet of a solid/g", ":a; N; $!ba; s/\\n/ /g; s/ normal 0 0 1//2",
+        /* a solid behind another's end, and bytes of zero between words */
+        ":a; N; $!ba; s/\\nsolid/ solid/", ":a; N; $!ba; s/\\nsolid/ solid solid/", "s/^facet/\\x00&/",
+        "s/^facet/\\x00\\x00 \\x00&/; s/^vertex /&\\x00/; s/loop/\\x00&/; s/^endsolid a/&\\x00/"};
     write_text("a.stl", text);
     for (size_t i = 0; i < sizeof whole / sizeof *whole; i++) {
         char made[200];
@@ -374,6 +379,27 @@ static void corners_without_normals_take_none_from_others(void **state)
     assert_same_mesh("some.obj", "sed 's/^f 4 5 6/vn 0 0 0\\nf 4\\/\\/2 5 6\\/\\/2/' some.obj >made.obj");
 }
 
+/* A tube whose normals turn by 40 degrees over an edge, and a triangle that has normals in one file. */
+static void normals_of_some_corners_do_not_spare_a_file_its_splits(void **state)
+{
+    (void)state;
+    enum { SIDES = 9 };
+    FILE *file = fopen("none.obj", "w");
+    assert_non_null(file);
+    fputs("vn 1 0 0\nv 9 0 0\nv 9 1 0\nv 9 0 1\n", file);
+    for (int i = 0; i < 2 * SIDES; i++)
+        fprintf(file, "v %.7f %.7f %d\n", cos(2 * M_PI * (i / 2) / SIDES), sin(2 * M_PI * (i / 2) / SIDES), i % 2);
+    for (int i = 0; i < SIDES; i++) {
+        const int at = 4 + 2 * i, next = 4 + 2 * ((i + 1) % SIDES);
+        fprintf(file, "f %d %d %d %d\n", at, next, next + 1, at + 1);
+    }
+    fputs("f 1 2 3\n", file);
+    assert_int_equal(fclose(file), 0);
+    assert_same_mesh("none.obj", "sed 's/^f 1 2 3/f 1\\/\\/1 2\\/\\/1 3\\/\\/1/' none.obj >made.obj");
+    assert_contains(run("$GLINT bake --mesh made.obj")->out, "--split 30 made these of");
+    assert_same_mesh("none.obj", "sed 's/^f 1 2 3/f 1 2\\/\\/1 3/' none.obj >made.obj");
+}
+
 /* A copy of it a colour: 72 million pixels. */
 static void textures_in_many_colours_have_a_limit_of_memory(void **state)
 {
@@ -448,6 +474,7 @@ int main(void)
         cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
         cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
         cmocka_unit_test(corners_without_normals_take_none_from_others),
+        cmocka_unit_test(normals_of_some_corners_do_not_spare_a_file_its_splits),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
         cmocka_unit_test(the_search_for_edges_side_by_side_has_a_limit_of_steps),

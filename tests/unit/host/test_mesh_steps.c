@@ -178,6 +178,7 @@ static void a_files_normals_are_kept_and_made_where_they_have_no_direction(void 
     soup->faces[7].normals[2][0] = NAN;
     struct mesh *mesh = mesh_weld(soup, -1);
     assert_int_equal(mesh->vertex_count, 10);
+    assert_false(mesh->has_own_normals);
     for (int k = 1; k < 3; k++) {
         const double *n = mesh->normals[mesh->faces[7][k]];
         assert_near(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), 1, 1e-12);
@@ -202,6 +203,7 @@ static void splitting_leaves_no_t_junction_also_at_creases(void **state)
         }
     struct mesh *mesh = mesh_weld(soup, -1);
     const double area = area_of(mesh);
+    assert_true(mesh->has_own_normals);
     assert_true(widest_turn(mesh) > 100);
     mesh_split(mesh, 30);
     assert_true(widest_turn(mesh) <= 30 + 1e-6);
