@@ -247,7 +247,13 @@ static void a_ply_that_is_cut_or_names_vertices_that_it_does_not_have_is_refused
                 assert_contains(run("$GLINT bake --mesh cut.ply")->out, "2 triangles");
         }
     }
-    write_text("odd.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty int x\nend_header\n\n123");
+    static const char begins[] =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty int x\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n\n123\003\0\0\0\0\0\0\0\0\0\0\0";
+    FILE *odd = fopen("odd.ply", "wb");
+    assert_non_null(odd);
+    write_bytes(odd, begins, sizeof begins);
+    assert_int_equal(fclose(odd), 0);
     assert_fails("$GLINT bake --mesh odd.ply -o no.c", "its data begin with the byte 10");
     static const char *const wrong[] = {"s/3 1 2 3/3 1 2 4/", "s/3 1 2 3/3 1 2 -1/", "s/3 1 2 3/3 1 2 999999/"};
     write_text("whole.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
