@@ -276,6 +276,11 @@ void shading_options_check(const struct argp_state *state, const struct shading_
 {
     const struct mesh_source *mesh = &options->scene.mesh;
     struct mesh_path of_mesh;
+    if (!mesh->name && options->scene.has_backdrop && format_has_alpha(shading->format))
+        refuse(
+            state,
+            "--background: in --format %s a scene's soft edges are alpha, not blended with it; leave one of them out",
+            format_names[shading->format]);
     const char *refusal = mesh->name ? path_of_mesh(shading, false, &of_mesh) : path_refusal(shading);
     if (refusal && mesh->name && (!mesh->built_in || mesh->texture) && !shading_options_one_color(options) &&
         !path_of_mesh(shading, true, &of_mesh))

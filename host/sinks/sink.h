@@ -37,6 +37,7 @@ struct sink_wish {
     int format;                             /* enum glint_format, or -1 */
     uint16_t default_width, default_height; /* the scene's own, for sinks that take any size */
     double fps;                             /* frames a second; 0: as fast as the sink takes them */
+    unsigned long frames;                   /* 0: until stopped, or until the lights end */
     bool demo;                              /* of a device that shades: what it shows by itself */
     const char *output;                     /* -o; NULL only where the sink's output has none */
 };

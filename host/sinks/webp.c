@@ -59,6 +59,9 @@ static struct sink *open_webp(const struct sink_wish *wish)
     if (wish->fps < 1000. / FRAME_MS_MAX)
         fail("--fps: %g is no rate of a WebP, whose frames last at most %d s; give .00006 or more", wish->fps,
              FRAME_MS_MAX / 1000);
+    if ((double)wish->frames * 1000 / wish->fps > INT_MAX)
+        fail("--fps: %lu frames at %g a second last longer than the 24 days of a WebP; give a higher --fps",
+             wish->frames, wish->fps);
     if (!WebPConfigInit(&webp->config) || !WebPAnimEncoderOptionsInit(&options))
         fail("--to webp: the library is another version than glint was built for");
     webp->config.lossless = quality == 100;
@@ -79,7 +82,7 @@ static void add(struct webp *webp, WebPPicture *picture)
 {
     const long time_ms = animation_time(&webp->animation, webp->animation.frames, 1000);
     if (time_ms > INT_MAX)
-        fail("--frames: a WebP lasts at most 24 days; give fewer, or a higher --fps");
+        fail("--fps: a WebP lasts at most 24 days; give a higher one");
     if (!WebPAnimEncoderAdd(webp->encoder, picture, (int)time_ms, &webp->config))
         fail("%s: %s", webp->sink.name, WebPAnimEncoderGetError(webp->encoder));
 }

@@ -64,6 +64,7 @@ static void choose_size(struct stream *stream, const struct scene_maps *maps)
                            .default_width = (uint16_t)(width ? width : USUAL_WIDTH),
                            .default_height = (uint16_t)(height ? height : USUAL_HEIGHT),
                            .fps = stream->options->fps,
+                           .frames = stream->options->frames,
                            .demo = stream->options->shade_demo,
                            .output = stream->options->output};
 }

@@ -4,6 +4,11 @@ import { execFile, execFileSync, spawnSync } from 'node:child_process'
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import { join } from 'node:path'
+import { pictureOf } from './packed.mjs'
+
+/** The kind of picture that has all that a format has. */
+const kind = words => words.includes('--format=argb8888') ? 'png' : 'ppm'
+const picture = bytes => bytes[0] === 0x89 ? pictureOf(bytes) : ppm(bytes)
 
 /** A folder that is removed at the end, with the files in it; commands run there. */
 export class Command {
@@ -23,17 +28,17 @@ export class Command {
         writeFileSync(join(this.folder, name), bytes)
     }
 
-    /** The picture that `glint render` writes as PPM, as samples of 8 bits: { width, height, channels, samples }. */
+    /** The picture that `glint render` writes, as samples of 8 bits: { width, height, channels, samples }. */
     render(words) {
-        const { status, stdout, stderr } = spawnSync(this.glint, ['render', ...words, '--image', 'ppm', '-o', '-'], { cwd: this.folder, maxBuffer: 1 << 28 })
+        const { status, stdout, stderr } = spawnSync(this.glint, ['render', ...words, '--image', kind(words), '-o', '-'], { cwd: this.folder, maxBuffer: 1 << 28 })
         if (status !== 0)
             throw new Error(`glint render ${words.join(' ')}: ${stderr}`)
-        return ppm(stdout)
+        return picture(stdout)
     }
 
     renderLater(words) {
-        return new Promise((resolve, reject) => execFile(this.glint, ['render', ...words, '--image', 'ppm', '-o', '-'],
-            { cwd: this.folder, encoding: 'buffer', maxBuffer: 1 << 28 }, (error, stdout) => error ? reject(error) : resolve(ppm(stdout))))
+        return new Promise((resolve, reject) => execFile(this.glint, ['render', ...words, '--image', kind(words), '-o', '-'],
+            { cwd: this.folder, encoding: 'buffer', maxBuffer: 1 << 28 }, (error, stdout) => error ? reject(error) : resolve(picture(stdout))))
     }
 
     raw(words) {
@@ -91,15 +96,16 @@ function ppm(bytes) {
     return { width, height, channels: 1, samples }
 }
 
-/** Pixels of a canvas against that: a sentence about the first that differs, or ''. */
+/** Pixels of a canvas against that: a sentence about the first that differs, or ''. A canvas holds colours times alpha, and rounds them. */
 export function difference(rgba, width, height, picture) {
     if (width !== picture.width || height !== picture.height)
         return `${width}x${height} pixels, the command has ${picture.width}x${picture.height}`
     let count = 0, first = ''
     for (let i = 0; i < width * height; i++)
         for (let k = 0; k < 4; k++) {
-            const expected = k === 3 ? 255 : picture.samples[picture.channels * i + (picture.channels === 3 ? k : 0)]
-            if (rgba[4 * i + k] !== expected && !count++)
+            const { channels, samples } = picture, alpha = channels === 4 ? samples[4 * i + 3] : 255
+            const expected = k === 3 ? alpha : samples[channels * i + (channels > 1 ? k : 0)], near = k < 3 && alpha < 255 ? 255 : 0
+            if (Math.abs(rgba[4 * i + k] - expected) * (near ? alpha : 1) > near && !count++)
                 first = `at ${i % width},${Math.floor(i / width)} channel ${k} is ${rgba[4 * i + k]}, not ${expected}`
         }
     return count ? `${count} samples differ; ${first}` : ''

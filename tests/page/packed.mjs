@@ -22,20 +22,19 @@ const paeth = (a, b, c) => {
     return pa <= pb && pa <= pc ? a : pb <= pc ? b : c
 }
 
-/** RGB of 8 bits, w x h, out of its filtered lines. */
-function unfiltered(data, w, h) {
-    const line = 3 * w, out = Buffer.alloc(line * h)
+/** Samples of 8 bits, w x h pixels of so many bytes, out of their filtered lines. */
+function unfiltered(data, w, h, of) {
+    const line = of * w, out = Buffer.alloc(line * h)
     equal(data.length, h * (line + 1), 'bytes of a frame')
     for (let y = 0; y < h; y++)
         for (let i = 0; i < line; i++) {
-            const a = i < 3 ? 0 : out[y * line + i - 3], b = y ? out[(y - 1) * line + i] : 0, c = i < 3 || !y ? 0 : out[(y - 1) * line + i - 3]
+            const a = i < of ? 0 : out[y * line + i - of], b = y ? out[(y - 1) * line + i] : 0, c = i < of || !y ? 0 : out[(y - 1) * line + i - of]
             out[y * line + i] = data[y * (line + 1) + 1 + i] + [0, a, b, a + b >> 1, paeth(a, b, c)][data[y * (line + 1)]]
         }
     return out
 }
 
-/** The pictures of an APNG: { width, height, rgba }, each as it is shown. */
-export function framesOf(file) {
+function chunksOf(file) {
     const chunks = []
     equal(file.toString('latin1', 0, 8), '\x89PNG\r\n\x1a\n', 'signature')
     for (let at = 8; at < file.length;) {
@@ -44,7 +43,21 @@ export function framesOf(file) {
         chunks.push([body.toString('latin1', 0, 4), body.subarray(4)])
         at += length + 12
     }
-    const [, head] = chunks[0], width = head.readUInt32BE(0), height = head.readUInt32BE(4), count = chunks.find(([name]) => name === 'acTL')[1].readUInt32BE(0)
+    return chunks
+}
+
+const channelsOf = { 2: 3, 6: 4 }
+
+/** A PNG of RGB or RGBA: { width, height, channels, samples }. */
+export function pictureOf(file) {
+    const chunks = chunksOf(file), [, head] = chunks[0], width = head.readUInt32BE(0), height = head.readUInt32BE(4), channels = channelsOf[head[9]]
+    const data = inflateSync(Buffer.concat(chunks.filter(([name]) => name === 'IDAT').map(([, data]) => data)))
+    return { width, height, channels, samples: unfiltered(data, width, height, channels) }
+}
+
+/** The pictures of an APNG: { width, height, rgba }, each as it is shown. */
+export function framesOf(file) {
+    const chunks = chunksOf(file), [, head] = chunks[0], width = head.readUInt32BE(0), height = head.readUInt32BE(4), of = channelsOf[head[9]], count = chunks.find(([name]) => name === 'acTL')[1].readUInt32BE(0)
     const frames = [], shown = Buffer.alloc(4 * width * height, 255)
     let control, sequence = 0
     for (const [name, data] of chunks) {
@@ -54,11 +67,11 @@ export function framesOf(file) {
             control = { w: data.readUInt32BE(4), h: data.readUInt32BE(8), x: data.readUInt32BE(12), y: data.readUInt32BE(16) }
         if (name !== 'IDAT' && name !== 'fdAT')
             continue
-        const { w, h, x, y } = control, rgb = unfiltered(inflateSync(name === 'IDAT' ? data : data.subarray(4)), w, h)
+        const { w, h, x, y } = control, samples = unfiltered(inflateSync(name === 'IDAT' ? data : data.subarray(4)), w, h, of)
         check(x + w <= width && y + h <= height, 'a frame is outside of the picture')
         for (let i = 0; i < w * h; i++)
-            for (let k = 0; k < 3; k++)
-                shown[4 * ((y + Math.floor(i / w)) * width + x + i % w) + k] = rgb[3 * i + k]
+            for (let k = 0; k < of; k++)
+                shown[4 * ((y + Math.floor(i / w)) * width + x + i % w) + k] = samples[of * i + k]
         frames.push({ width, height, rgba: Buffer.from(shown) })
     }
     equal(frames.length, count, 'frames')

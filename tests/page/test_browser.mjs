@@ -7,7 +7,7 @@ import { check, equal, run } from '../pico/tap.mjs'
 import { browser, command, fragment, isFirefox, page, readPng, shownIsDrawn, start } from './beside.mjs'
 import { difference } from './glint.mjs'
 import { extras, png, surfaces } from './maps.mjs'
-import { framesOf, unzipped } from './packed.mjs'
+import { framesOf, pictureOf, unzipped } from './packed.mjs'
 import { randomly, randomWords } from './states.mjs'
 
 const count = process.argv[6]
@@ -165,6 +165,21 @@ run([
                 const wrong = difference(frames[k].rgba, frames[k].width, frames[k].height, command.render([...words.filter(other => !other.startsWith(changed.slice(0, 6))), changed]))
                 check(!wrong, `picture ${k}, ${changed}: ${wrong}`)
             }
+        }
+    }],
+    ['PNG and APNG of argb8888 have the command\'s alpha', async () => {
+        for (const words of [['--scene=coin', '--size=40x36', '--cut-out', '--format=argb8888', '--light=0,0,1'], ['--scene=teapot', '--size=40x36', '--turn=10,0,0', '--format=argb8888']]) {
+            await browser.go(fragment(words))
+            await shownIsDrawn()
+            const { 'glint.png': png } = await browser.save('file-png', 1), expected = command.render(words), own = pictureOf(png)
+            equal(own.channels, 4, `channels, ${words[0]}`)
+            check(own.samples.equals(expected.samples), `${words[0]}: the PNG has other pixels`)
+            if (words.includes('--cut-out')) {
+                check(expected.samples.some((value, i) => i % 4 === 3 && value > 0 && value < 255), 'no soft edge')
+                continue
+            }
+            const { 'glint.apng': file } = await browser.save('file-apng', 1)
+            check(framesOf(file)[0].rgba.equals(expected.samples), 'the APNG has other pixels')
         }
     }],
     ['the normal map as PNG is drawn as the surface is, and the stage\'s picture has the panel\'s pixels in it', async () => {

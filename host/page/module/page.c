@@ -121,6 +121,7 @@ static void show(void)
     free(state.rgba);
     state.levels = levels_of_pixels(state.width, state.height, state.shading.format, state.pixels);
     struct picture *picture = levels_picture(state.levels, WIDEN_NEAREST);
+    picture_add_alpha(picture, state.shading.format, state.pixels);
     state.rgba = rgba_of_picture(picture);
     picture_free(picture);
 }
@@ -132,8 +133,8 @@ uint8_t *rgba_of_picture(const struct picture *picture)
     uint8_t *rgba = allocate(pixels, 4);
     for (size_t i = 0; i < pixels; i++) {
         for (unsigned k = 0; k < 3; k++)
-            rgba[4 * i + k] = picture->samples[channels * i + (channels == 3 ? k : 0)];
-        rgba[4 * i + 3] = 255;
+            rgba[4 * i + k] = picture->samples[channels * i + (channels > 1 ? k : 0)];
+        rgba[4 * i + 3] = channels == 4 ? picture->samples[4 * i + 3] : 255;
     }
     return rgba;
 }

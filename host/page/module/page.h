@@ -43,7 +43,7 @@ uint32_t PAGE_EXPORT(page_height)(void);
 /* In the format, lines without gaps, as `--image raw` writes them. */
 const uint8_t *PAGE_EXPORT(page_pixels)(void);
 size_t PAGE_EXPORT(page_pixels_bytes)(void);
-/* As `glint render` writes it into a PNG, with alpha 255; page_width x page_height. */
+/* As `glint render` writes it into a PNG, with alpha 255 where it has none; page_width x page_height. */
 const uint8_t *PAGE_EXPORT(page_rgba)(void);
 /* Lines "name value ..." of the shader that drew. */
 const char *PAGE_EXPORT(page_facts)(void);

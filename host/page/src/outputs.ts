@@ -49,9 +49,12 @@ const run = (words: (state: State) => string[]) => async () => {
     return `${files.map(file => file.name).join(' and ')}: as ${commandLine(first, rest)} writes them. ${[...warnings, ...printed.split('\n').filter(line => line.startsWith('such a picture'))].join(' ')}`
 }
 
+/** Samples of a pixel, where it is no grey. */
+const colours = ({ format }: State) => format === 'argb8888' ? 4 : 3
+
 async function savePicture(): Promise<string> {
     const { width, height, rgba, state } = lastDrawn()!
-    save('glint.png', await ask('png', width, height, rgba, /^(grey\d|mono)$/.test(state.format ?? '')))
+    save('glint.png', await ask('png', width, height, rgba, /^(grey\d|mono)$/.test(state.format ?? '') ? 1 : colours(state)))
     return 'glint.png: the panel\'s pixels'
 }
 
@@ -76,7 +79,7 @@ async function saveAnimation(): Promise<string> {
     let isStopped = false
     setWorking(() => { isStopped = true })
     try {
-        const bytes = await apng(frames, 4000 / frames, async k => {
+        const bytes = await apng(frames, 4000 / frames, colours(now), async k => {
             if (isStopped)
                 throw new Stopped()
             status.textContent = `Frame ${k + 1} of ${frames}`
@@ -106,7 +109,7 @@ const program = (kind: Kind) => async () => {
 
 async function saveGloss(): Promise<string> {
     const { white, width, height } = lastDrawn()!
-    save(white!, await ask('png', width, height, new Uint8Array(4 * width * height).fill(255), true))
+    save(white!, await ask('png', width, height, new Uint8Array(4 * width * height).fill(255), 1))
     return `${white}: the map by which all of the surface has full gloss, as on the board; the command line below reads it`
 }
 

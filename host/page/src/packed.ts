@@ -63,19 +63,19 @@ const paeth = (a: number, b: number, c: number) => {
 }
 const filters: ((left: number, above: number, aboveLeft: number) => number)[] = [() => 0, a => a, (_, b) => b, (a, b) => a + b >> 1, paeth]
 
-/** Lines of RGB, each by the filter that leaves the smallest numbers. */
-function filtered({ width, rgba }: Frame, { x, y, w, h }: { x: number, y: number, w: number, h: number }): Uint8Array<ArrayBuffer> {
-    const line = 3 * w, out = new Uint8Array(h * (line + 1)), trial = new Uint8Array(line)
+/** Lines of RGB or RGBA, each by the filter that leaves the smallest numbers. */
+function filtered({ width, rgba }: Frame, { x, y, w, h }: { x: number, y: number, w: number, h: number }, of: 3 | 4): Uint8Array<ArrayBuffer> {
+    const line = of * w, out = new Uint8Array(h * (line + 1)), trial = new Uint8Array(line)
     let above = new Uint8Array(line), now = new Uint8Array(line)
     for (let k = 0; k < h; k++) {
         for (let i = 0; i < w; i++)
-            for (let c = 0; c < 3; c++)
-                now[3 * i + c] = rgba[4 * ((y + k) * width + x + i) + c]
+            for (let c = 0; c < of; c++)
+                now[of * i + c] = rgba[4 * ((y + k) * width + x + i) + c]
         let least = Infinity
         filters.forEach((filter, kind) => {
             let sum = 0
             for (let i = 0; i < line; i++) {
-                const value = now[i] - filter(i < 3 ? 0 : now[i - 3], above[i], i < 3 ? 0 : above[i - 3]) & 255
+                const value = now[i] - filter(i < of ? 0 : now[i - of], above[i], i < of ? 0 : above[i - of]) & 255
                 trial[i] = value
                 sum += Math.min(value, 256 - value)
             }
@@ -95,15 +95,15 @@ async function deflated(bytes: Uint8Array<ArrayBuffer>): Promise<Uint8Array> {
 }
 
 /** Each frame is shown for so many milliseconds, for ever; `next` draws frame i. */
-export async function apng(count: number, milliseconds: number, next: (i: number) => Promise<Frame>): Promise<Uint8Array<ArrayBuffer>> {
+export async function apng(count: number, milliseconds: number, channels: 3 | 4, next: (i: number) => Promise<Frame>): Promise<Uint8Array<ArrayBuffer>> {
     const parts: Uint8Array[] = []
     let before: Frame | undefined, sequence = 0
     for (let i = 0; i < count; i++) {
         const frame = await next(i), box = changed(frame, before)
         if (!before)
-            parts.push(Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10), chunk('IHDR', packed(false, [frame.width, 4], [frame.height, 4], [8, 1], [2, 1], [0, 1], [0, 1], [0, 1])),
+            parts.push(Uint8Array.of(0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10), chunk('IHDR', packed(false, [frame.width, 4], [frame.height, 4], [8, 1], [channels === 4 ? 6 : 2, 1], [0, 1], [0, 1], [0, 1])),
                 chunk('acTL', packed(false, [count, 4], [0, 4])))
-        const data = await deflated(filtered(frame, box))
+        const data = await deflated(filtered(frame, box, channels))
         parts.push(chunk('fcTL', packed(false, [sequence++, 4], [box.w, 4], [box.h, 4], [box.x, 4], [box.y, 4], [milliseconds, 2], [1000, 2], [0, 1], [0, 1])),
             before ? chunk('fdAT', packed(false, [sequence++, 4]), data) : chunk('IDAT', data))
         before = frame

@@ -100,9 +100,8 @@ function unpack({ width, height, depth, data }: DecodedPng): Uint8Array {
     return out
 }
 
-/** A picture of three equal samples or colours, as a PNG. */
-export function writePng(width: number, height: number, rgba: Uint8Array, isGrey: boolean): Uint8Array<ArrayBuffer> {
-    const channels = isGrey ? 1 : 3
+/** A picture as a PNG: of three equal samples one, colours, or all four. */
+export function writePng(width: number, height: number, rgba: Uint8Array, channels: 1 | 3 | 4): Uint8Array<ArrayBuffer> {
     const data = new Uint8Array(width * height * channels)
     for (let i = 0; i < width * height; i++)
         for (let k = 0; k < channels; k++)

@@ -76,7 +76,9 @@ export function stagePicture(): Promise<Blob | null> {
         draw.fill()
     }
     draw.shadowColor = 'transparent'
+    draw.fillStyle = '#000' // as on the screen
     outline(0)
+    draw.fill()
     draw.clip()
     draw.imageSmoothingEnabled = false
     draw.drawImage(canvas, rim + margin, rim + margin, w, h)

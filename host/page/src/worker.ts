@@ -49,7 +49,7 @@ export const methods = {
     raw: () => engine.pixels(),
     again: (times: number) => engine.again(times),
     normals: (width: number, height: number, baked: Uint8Array) => writeNormals(width, height, baked),
-    png: (width: number, height: number, rgba: Uint8Array, isGrey: boolean) => writePng(width, height, rgba, isGrey),
+    png: (width: number, height: number, rgba: Uint8Array, channels: 1 | 3 | 4) => writePng(width, height, rgba, channels),
 }
 export type Methods = typeof methods
 

@@ -151,7 +151,12 @@ static void a_rate_that_a_webp_cannot_have_is_refused(void **state)
     assert_fails(COIN "--to webp --fps .00005 -o out/a.webp", "--fps: 5e-05 is no rate of a WebP, whose frames last");
     assert_quiet(COIN "--to webp --fps .00006 --frames 2 -o out/a.webp && rm out/a.webp");
     assert_fails("$GLINT stream coin --size 1x1 --to webp --fps .00006 --frames 200 -o out/a.webp",
-                 "--frames: a WebP lasts at most 24 days; give fewer, or a higher --fps");
+                 "--fps: 200 frames at 6e-05 a second last longer than the 24 days of a WebP; give a higher --fps");
+    assert_fails("$GLINT stream coin --size 1x1 --to webp --fps .001 --frames 1000000000 -o out/a.webp",
+                 "--fps: 1000000000 frames at 0.001 a second last longer"); /* before the first is drawn */
+    assert_fails(
+        "yes 0,0,1 | head -200 | $GLINT stream coin --size 1x1 --to webp --fps .00006 --lights - -o out/a.webp",
+        "--fps: a WebP lasts at most 24 days; give a higher one");
     assert_int_equal(files_in("out"), 0);
 }
 #endif

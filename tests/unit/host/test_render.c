@@ -82,6 +82,13 @@ static void argb8888_keeps_its_alpha_or_is_refused(void **state)
     assert_true(read_file("out/a.qoi", qoi, sizeof qoi) > 14);
     assert_int_equal(qoi[12], 4); /* channels; test_images_write has the rest */
     assert_refused("$GLINT render --scene coin --format argb8888 -o out/b.ppm", "a PPM file has no alpha");
+    for (size_t i = 0; i < 2; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "$GLINT %s --cut-out --format argb8888 --background 16,32,48 %s -o out/b.png",
+                 i ? "stream coin" : "render --scene coin", i ? "--frames 1 --to png" : "");
+        assert_refused(line, "--background: in --format argb8888 a scene's soft edges are alpha, not blended with it");
+    }
+    assert_quiet("$GLINT render --scene teapot --size 64x64 --format argb8888 --background 16,32,48 -o out/a.png");
     for (size_t i = 0; i < sizeof without / sizeof *without; i++) {
         char line[200];
         snprintf(line, sizeof line, "$GLINT stream coin --format argb8888 --frames 1 --fps 10 --to %s -o out/b.%s",

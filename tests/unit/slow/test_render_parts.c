@@ -9,7 +9,8 @@ static void a_picture_in_parts_is_that_drawn_at_once(void **state)
     static const char *const scenes[] = {"--height heights.png --albedo colors.png",
                                          "--height heights.png --wrap --format rgb565 --dither --point 9000,70,60,400",
                                          "--normals n.png --format grey8 --path exact-int8",
-                                         "--scene sphere --cut-out --background 20,30,40 --format argb8888",
+                                         "--scene sphere --cut-out --background 20,30,40 --format xrgb8888",
+                                         "--scene sphere --cut-out --format argb8888",
                                          "--scene sunray --format mono --dither"};
     uint16_t samples[12 * 8 * 3];
     for (unsigned i = 0; i < 12 * 8 * 3; i++)
