@@ -11,7 +11,7 @@
 #   NAME_SCRIPT_BOARD          linker script, in the port's folder
 #   NAME_STACK                 bytes of stack that any call of the library may take, as glint.h states it; NAME_STACK_BOARD where a board differs
 # and where it applies
-#   NAME_IMAGE_BOARD           what the image leaves out: -DCONFORMANCE_COLOUR=0, ... (conformance.h)
+#   NAME_IMAGE_BOARD           what the image leaves out: -DCONFORMANCE_TABLES=0, ... (conformance.h)
 #   NAME_SKIPS_BOARD           how many checks that may skip, at most
 #   NAME_ASSEMBLY_BOARD        assembly of the library
 #   NAME_PUSHED_BOARD          bytes that a call pushes by itself
