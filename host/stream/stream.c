@@ -86,8 +86,10 @@ static bool start(struct stream *stream)
         options->kind->output->begin(options->output, options->frames);
     stop_when_asked(); /* until here a signal ends the program at once */
     open_sink = open_wished(stream);
-    if (!open_sink)
+    if (!open_sink) {
+        scene_maps_free(maps);
         return false;
+    }
     const struct sink *sink = open_sink;
     if (!stream->mesh && !options->shade_demo)
         stream->scene = scene_of_shading_options(&options->look, maps, sink->width, sink->height);
@@ -134,8 +136,9 @@ static bool find_again(struct stream *stream)
     if (!open_sink)
         return false;
     if (open_sink->width != old.width || open_sink->height != old.height || open_sink->format != old.format)
-        fail("%s: came back as a display of %ux%u, not %ux%u; start again to use it", open_sink->name, open_sink->width,
-             open_sink->height, old.width, old.height);
+        fail("%s: came back as a display of %ux%u in %s, not %ux%u in %s; start again to use it", open_sink->name,
+             open_sink->width, open_sink->height, format_names[open_sink->format], old.width, old.height,
+             format_names[old.format]);
     if (stream->plan) {
         plan_free(stream->plan);
         stream->plan = plan_new(open_sink);
@@ -213,13 +216,18 @@ static bool send_frame(struct stream *stream, unsigned long index)
 
 static void run(struct stream *stream)
 {
+    enum { LATE_S = 1 };
     const struct stream_options *options = stream->options;
     const bool paced = options->fps > 0 && options->kind->paced;
     const bool covered = sink_takes_standard_output(options->kind, options->output) && isatty(STDOUT_FILENO);
-    const double began = seconds_now();
+    double began = seconds_now();
     for (unsigned long i = 0; !options->frames || i < options->frames; i++) {
-        if (paced)
+        if (paced) {
             wait_until(began + (double)i / options->fps);
+            const double late = seconds_now() - (began + (double)i / options->fps);
+            if (late > LATE_S) /* after a pause, or by a display that is slower: it goes on, and does not rush */
+                began += late;
+        }
         if (!send_frame(stream, i))
             break;
         if (options->stats && !covered) /* by frames on the same terminal */

@@ -78,12 +78,36 @@ static void a_tall_picture_is_sent_again_to_its_end(void **state)
     assert_int_equal(display.seen->rectangles, 2);
 }
 
+static void the_only_picture_of_a_stream_is_sent_again_too(void **state)
+{
+    (void)state;
+    trouble(BULK_STALL, false);
+    config.trouble_at = 0;
+    usb_display_be(&display, &config);
+    assert_one_line(assert_ends("timeout 60 " STREAM OURS "--frames 1 --fps 10", 0, "reinitialising it")->err);
+    assert_last_frame(1);
+}
+
+static void a_display_unplugged_within_the_last_picture_is_a_failure(void **state)
+{
+    (void)state;
+    trouble(UNPLUG, false);
+    config.trouble_at = 0;
+    usb_display_be(&display, &config);
+    assert_one_line(assert_ends("timeout 60 " STREAM OURS "--frames 1 --fps 10", 1, "unplugged")->err);
+    usb_display_unplug(&display);
+}
+
 static void an_endpoint_that_halts_again_and_again_ends_the_stream(void **state)
 {
     (void)state;
     trouble(BULK_STALL, true);
-    assert_ends("timeout 60 " STREAM OURS, 1,
-                "it refuses (STALL), and again after 3 attempts to reinitialise it; plug it in again");
+    assert_one_line(
+        strchr(assert_ends("timeout 60 " STREAM OURS, 1,
+                           "it refuses (STALL), and again after 3 attempts to reinitialise it; plug it in again")
+                   ->err,
+               '\n') +
+        1);
     assert_soon(!display.seen->display);
     usb_display_unplug(&display);
 }
@@ -205,6 +229,8 @@ int main(void)
         cmocka_unit_test(a_halted_endpoint_is_cleared_and_the_picture_sent_again),
         cmocka_unit_test(a_display_of_whole_frames_gets_no_rectangle_after_a_fault_either),
         cmocka_unit_test(a_tall_picture_is_sent_again_to_its_end),
+        cmocka_unit_test(the_only_picture_of_a_stream_is_sent_again_too),
+        cmocka_unit_test(a_display_unplugged_within_the_last_picture_is_a_failure),
         cmocka_unit_test(an_endpoint_that_halts_again_and_again_ends_the_stream),
         cmocka_unit_test(a_display_that_takes_no_data_is_reinitialised),
         cmocka_unit_test(a_display_that_never_takes_data_again_ends_the_stream),

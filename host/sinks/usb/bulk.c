@@ -9,6 +9,12 @@ enum { BULK_MS = 3000, STOP_MS = 500 };
 /* Small enough for progress to be seen within BULK_MS, large enough to cost no time: each is a system call or two. */
 enum { CHUNK_FULL_SPEED = 128 << 10, CHUNK_FASTER = 4 << 20 };
 
+static void cancel(struct usb_port *port)
+{
+    for (unsigned i = 0; i < USB_FLIGHT; i++)
+        libusb_cancel_transfer(port->transfers[i]); /* NOT_FOUND where it is not under way */
+}
+
 static void submit(struct usb_port *port, struct libusb_transfer *transfer)
 {
     const size_t bytes = port->left < port->chunk ? port->left : port->chunk;
@@ -19,17 +25,12 @@ static void submit(struct usb_port *port, struct libusb_transfer *transfer)
         return; /* the kernel's 16 MB for all of USB are taken: tried again when the one before has arrived */
     if (error) {
         port->fault = usb_fault(error);
+        cancel(port); /* what follows would arrive with a hole before it */
         return;
     }
     port->in_flight++;
     port->next += bytes;
     port->left -= bytes;
-}
-
-static void cancel(struct usb_port *port)
-{
-    for (unsigned i = 0; i < USB_FLIGHT; i++)
-        libusb_cancel_transfer(port->transfers[i]); /* NOT_FOUND where it is not under way */
 }
 
 static void chunk_done(struct libusb_transfer *transfer)
@@ -40,7 +41,7 @@ static void chunk_done(struct libusb_transfer *transfer)
     int fault = usb_transfer_fault(transfer);
     if (!fault && transfer->actual_length != transfer->length)
         fault = GUD_LINK_ERROR;
-    if (fault && !port->fault) { /* what follows would arrive with a hole before it */
+    if (fault && !port->fault) { /* as above */
         port->fault = fault;
         cancel(port);
     }

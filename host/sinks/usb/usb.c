@@ -19,6 +19,7 @@ struct usb_sink {
     struct gud_link link;
     struct gud_display display;
     struct gud_choice choice;
+    struct frame last; /* what was sent last, until the stream ends */
     bool full_update, detached, gone;
     char name[48];
 };
@@ -239,23 +240,31 @@ static bool is_gone(struct usb_sink *usb)
     return usb_control(&usb->port, true, GUD_GET_STATUS, 0, &status, 1) == GUD_LINK_GONE;
 }
 
-static enum sink_result usb_send(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
+/* After a fault: the whole picture, or why not. */
+static int recover(struct usb_sink *usb, const struct frame *frame, int fault, struct gud_problem *problem)
 {
     enum { TRIES = 3, PAUSE_MS = 300 /* by then the system knows whether a device is gone */ };
-    struct usb_sink *usb = of(sink);
-    struct gud_problem problem = {0};
-    int fault = send_pieces(usb, pieces, count, !usb->full_update, &problem);
     for (unsigned i = 0; fault && fault != GUD_LINK_STOPPED; i++) {
         if (fault == GUD_LINK_GONE && is_gone(usb))
             break;
+        usb->port.fault = 0; /* it is told here */
         if (i == TRIES)
-            fail("%s: %s, and again after %d attempts to reinitialise it; plug it in again", usb->name, problem.text,
+            fail("%s: %s, and again after %d attempts to reinitialise it; plug it in again", usb->name, problem->text,
                  TRIES);
         if (i == 0)
-            warn("%s: %s; reinitialising it", usb->name, problem.text);
+            warn("%s: %s; reinitialising it", usb->name, problem->text);
         usb_pause_ms(PAUSE_MS);
-        fault = stream_stopped() ? GUD_LINK_STOPPED : restart(usb, frame, &problem);
+        fault = stream_stopped() ? GUD_LINK_STOPPED : restart(usb, frame, problem);
     }
+    return fault;
+}
+
+static enum sink_result usb_send(struct sink *sink, const struct frame *frame, const struct piece *pieces, size_t count)
+{
+    struct usb_sink *usb = of(sink);
+    struct gud_problem problem = {0};
+    const int fault = recover(usb, frame, send_pieces(usb, pieces, count, !usb->full_update, &problem), &problem);
+    usb->last = *frame;
     if (fault == GUD_LINK_STOPPED)
         return SINK_INTERRUPTED;
     usb->gone = fault == GUD_LINK_GONE;
@@ -264,6 +273,21 @@ static enum sink_result usb_send(struct sink *sink, const struct frame *frame, c
     if (usb->gone)
         warn("%s: unplugged; waiting for its return", usb->name);
     return usb->gone ? SINK_GONE : SINK_SENT;
+}
+
+/* The last picture is still under way. */
+static void usb_finish(struct sink *sink)
+{
+    struct usb_sink *usb = of(sink);
+    struct gud_problem problem;
+    int fault = usb->gone || stream_stopped() ? 0 : usb_bulk_wait(&usb->port);
+    if (fault)
+        gud_problem_is(&problem, (enum gud_link_fault)fault, "the picture's data: %s",
+                       gud_fault_words((enum gud_link_fault)fault));
+    fault = fault ? recover(usb, &usb->last, fault, &problem) : 0;
+    usb->gone = usb->gone || fault == GUD_LINK_GONE;
+    if (fault == GUD_LINK_GONE)
+        fail("%s: unplugged before the last picture had arrived; start again when it is back", usb->name);
 }
 
 static void usb_close(struct sink *sink)
@@ -296,7 +320,12 @@ const struct sink_kind sink_usb = {
                 "  glint stream --height wall.png --size 240x240 --to usb --shade device\n"
                 "  glint stream --to usb --shade demo --light-from iio\n"
                 "  glint stream coin --to usb --usb-path 1-3.1 --wait\n",
-    .pixels = {.open = usb_open, .box_bytes = usb_box_bytes, .pack = usb_pack, .send = usb_send, .close = usb_close},
+    .pixels = {.open = usb_open,
+               .box_bytes = usb_box_bytes,
+               .pack = usb_pack,
+               .send = usb_send,
+               .finish = usb_finish,
+               .close = usb_close},
     .shader = &usb_shader,
     .list = usb_list,
     .list_print = usb_list_print,

@@ -178,6 +178,23 @@ static void a_terminal_that_is_held_up_does_not_keep_the_stream_from_ending(void
     }
 }
 
+/* Load makes it only longer. */
+static void a_stream_that_stood_still_goes_on_at_its_pace(void **state)
+{
+    (void)state;
+    struct timespec before, after;
+    start(COIN "--fps 10 --frames 30", &usual_size);
+    shows(0, HIDDEN);
+    assert_int_equal(kill(terminal.child, SIGSTOP), 0);
+    assert_true(WIFSTOPPED(changes()));
+    sleep(4); /* in which all frames were due */
+    clock_gettime(CLOCK_MONOTONIC, &before);
+    assert_int_equal(kill(terminal.child, SIGCONT), 0);
+    assert_int_equal(ends(), 0);
+    clock_gettime(CLOCK_MONOTONIC, &after);
+    assert_true(after.tv_sec - before.tv_sec >= 2);
+}
+
 /* Another thread would write the cursor while the first writes a frame. */
 static void the_first_thread_alone_takes_signals(void **state)
 {
@@ -240,6 +257,7 @@ int main(void)
         cmocka_unit_test(every_signal_that_ends_it_gives_the_terminal_its_cursor_back),
         cmocka_unit_test(a_terminal_may_state_any_size),
         cmocka_unit_test(a_terminal_that_is_held_up_does_not_keep_the_stream_from_ending),
+        cmocka_unit_test(a_stream_that_stood_still_goes_on_at_its_pace),
         cmocka_unit_test(the_first_thread_alone_takes_signals),
         cmocka_unit_test(a_stream_that_is_stopped_gives_the_cursor_back_and_takes_it_when_it_goes_on),
     };
