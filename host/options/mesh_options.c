@@ -34,11 +34,11 @@ static const struct argp_option argp_options[] = {
     {NULL, 0, NULL, 0, "The mesh:", 7}, /* below the commands' own groups */
     {"crease", KEY_CREASE, "DEGREES", 0,
      "Normals are made from the mesh's faces, and edges that turn by more than this stay sharp (default: the file's "
-     "own normals; 60 where it has none, at a corner or at all, and for an STL)",
+     "own normals; 60 where it has none, and for an STL)",
      7},
     {"split", KEY_SPLIT, "DEGREES", 0,
-     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30, or 45 where the file has "
-     "a normal at every corner). More triangles place highlights better but take bytes and time; glint bake prints how many. "
+     "Split a mesh's edges over which the normal turns by more than this, 1..180 (default 30, or 45 where each corner "
+     "has its own normal). More triangles place highlights better but take bytes and time; glint bake prints how many. "
      "180 splits none",
      7},
     {"axes", KEY_AXES, "NAME", 0,

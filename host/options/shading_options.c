@@ -57,7 +57,7 @@ static const struct argp_option argp_options[] = {
     {"material", KEY_MATERIAL, "NAME", 0,
      PRESET_WORDS "each with its shininess, colour, --ambient, --diffuse and --specular where no option gives them", 3},
     {"model", KEY_MODEL, "NAME", 0, "The highlight: " MODEL_WORDS "default: msh", 3},
-    {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60; watchface 40, coin 30, knob and sunray 160)", 3},
+    {NULL, 'n', "N", 0, "Shininess, 1..1000 (default 60, or the scene's own)", 3},
     {"roughness", KEY_ROUGHNESS, "R", 0,
      "In the place of -n: glTF's roughness, 0..1. n = 2 / R^4 - 2, the GGX lobe's; below .211 it counts as .211, n = "
      "1000",
@@ -83,14 +83,13 @@ static const struct argp_option argp_options[] = {
      "axis, 0 beyond OUTER",
      3},
     {"view", KEY_VIEW, "X,Y,Z", 0, "The direction to the viewer (default 0,0,1)", 3},
-    {"ambient", KEY_AMBIENT, "A", 0, "Light from everywhere, 0..1: one number or R,G,B (default .2; sphere, coin .15, knob .22, sunray .25)",
-     3},
+    {"ambient", KEY_AMBIENT, "A", 0,
+     "Light from everywhere, 0..1: one number or R,G,B (default .2, or the scene's own)", 3},
     {"diffuse", KEY_DIFFUSE, "D", 0,
-     "What the surface scatters, 0..1: one number or R,G,B (default .9; sphere .85, watchface and dial .8, coin .75, sunray .6, knob .5)",
-     3},
+     "What the surface scatters, 0..1: one number or R,G,B (default .9, or the scene's own)", 3},
     {"specular", KEY_SPECULAR, "S", 0,
-     "How strong the highlight is, 0..1: one number or R,G,B (default .5; sphere and knob .8, sunray .75, watchface and dial "
-     ".7, coin .75,.68,.5)",
+     "How strong the highlight is, 0..1: one number or R,G,B (default .5, or the scene's "
+     "own)",
      3},
     {"clamp-peak", KEY_CLAMP_PEAK, NULL, 0, "Limit the highlight to 1 (msh reaches 1.024)", 3},
 
