@@ -13,11 +13,11 @@ import { meshes } from './meshes.mjs'
 
 const [packages, folder, glint] = process.argv.slice(2)
 const { Engine, fragmentOf, meshOnDevice, onDevice, readPng, sentences, stateOfFragment, stateOfWords, white, wordsOf, writePng } = await import(`${process.cwd()}/${folder}/engine.mjs`)
-const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
+const program = new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)), engine = new Engine(program)
 const command = new Command(glint)
 const width = 60, height = 44
 engine.addWhite(white, width, height)
-command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), 1))
 const server = spawn(glint, ['page', '--port', '0', '--file', `${folder}/index.html`])
 process.on('exit', () => server.kill())
 const [line] = await once(server.stdout, 'data')
@@ -27,11 +27,14 @@ const { page } = browser
 await page.evaluateOnNewDocument(fakeUsb, width, height)
 
 const words = ['--scene=coin', '--size=50x50', '--model=cayley', '-n77', '--format=rgb888', '--dither', '--light=-.5,.5,1']
-/** The means of the scenes' albedos, which the module is asked for here as there. */
-const colours = Object.fromEntries(['coin', 'dial'].map(scene => {
-    engine.draw([`--scene=${scene}`])
-    return [scene, engine.facts().colour.join()]
-}))
+/** The means of the scenes' albedos, with a material its own, which the module is asked for here as there. */
+const means = new Engine(program), colours = {}
+function colourOf({ scene, material }) {
+    const words = wordsOf({ scene, material, lights: [] })
+    if (!colours[words])
+        means.draw(words)
+    return colours[words] ??= means.facts().colour.join()
+}
 const board = change => page.evaluate(change => Object.assign(globalThis.board, change), change ?? {})
 const connect = async () => {
     await browser.tab('output')
@@ -73,7 +76,7 @@ async function has(map, material, light) {
 
 /** The canvas is the command's picture of what the board draws, and the board has what makes that. Returns the words. */
 async function follows(gloss = white) {
-    const drawn = await drawnAs(state => wordsOf(onDevice(state, width, height, colours[state.scene], gloss)))
+    const drawn = await drawnAs(state => wordsOf(onDevice(state, width, height, colourOf(state), gloss)))
     check(await isSaid(), 'it is not said whose picture the command line and the files are of')
     engine.draw(drawn)
     const { map, material, light } = engine.device(width, height, { map: '', material: '' })
@@ -118,7 +121,7 @@ run([
         await follows()
         const { 'glint.png': file } = await browser.save('file-png', 1), { samples } = command.render(shown.slice(2, -2))
         check(samples.every((value, i) => readPng('glint.png', file).samples[i] === 257 * value), 'the PNG has other pixels')
-        for (const [id, count, word] of [['material', 1, '--format=rgb565'], ['colour', 2, '--color=' + colours.coin], ['int8', 2, '--size=60x44']]) {
+        for (const [id, count, word] of [['material', 1, '--format=rgb565'], ['colour', 2, '--color=' + colourOf({ scene: 'coin' })], ['int8', 2, '--size=60x44']]) {
             const saved = await browser.save(`file-${id}`, count)
             const line = (await browser.text('file-status')).match(/as (glint .*) writes them/)[1]
             check(line.includes(word) && !line.includes('--dither'), line)
@@ -151,6 +154,14 @@ run([
         check((await follows()).includes('--scene=dial'), 'another scene')
         await browser.set('control-background', '#30c060')
         check(!(await follows()).some(word => word.startsWith('--background')), 'the board draws over black')
+    }],
+    ['a named material has its own colour on the board, too', async () => {
+        await press('Copper')
+        const drawn = await follows()
+        check(drawn.includes('--material=copper') && drawn.includes('--color=' + colourOf({ scene: 'dial', material: 'copper' })), drawn.join(' '))
+        check(colourOf({ scene: 'dial' }) !== colourOf({ scene: 'dial', material: 'copper' }), 'copper is no other colour')
+        await press('Undo')
+        await follows()
     }],
     ['what the board cannot draw is said, and it keeps its picture', async () => {
         const { length } = (await board()).lights
@@ -491,7 +502,7 @@ run([
     }],
     ['a map of the user\'s that is called as the map of full gloss is stays the user\'s', async () => {
         const own = png({ width: 50, height: 50, type: 0, depth: 8, sample: (x, y) => 4 * x + y }), other = 'full-gloss-2.png'
-        command.put(other, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+        command.put(other, writePng(width, height, Buffer.alloc(4 * width * height, 255), 1))
         engine.addWhite(other, width, height)
         const drop = async () => {
             command.put(white, own)
@@ -507,7 +518,7 @@ run([
         await says('Disconnected')
         await isFree()
         await browser.go(fragmentOf(stateOfWords(words))) // and dropped while connected
-        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), 1))
         await connect()
         await follows()
         await drop()
@@ -525,7 +536,7 @@ run([
         await refuses('--scene: unknown scene \'coins\'')
         equal((await board()).lights.length, 0, 'lights')
         await press('Reset')
-        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), true))
+        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), 1))
         await follows()
         const { length } = (await board()).lights
         await page.evaluate(() => { location.hash = 'scene=coins&n=4000' })

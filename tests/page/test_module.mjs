@@ -244,6 +244,26 @@ run([
         engine.forget('grey16.png')
         check(refusal(() => engine.draw(words)).startsWith('grey16.png: this map is not here'), 'what was drawn last is drawn again without its file')
     }],
+    ['a board gets the map of a file that another of its name replaces', () => {
+        const engine = engineWithMaps(), words = ['--height=grey16.png', '--size=40x30', '--format=rgb565', '--path=colour-int8', '--color=9,9,9']
+        engine.draw(words)
+        const { has } = engine.device(40, 30, { map: '', material: '' })
+        engine.draw(words)
+        check(!engine.device(40, 30, has).map, 'it gets the same map again')
+        engine.addMap('grey16.png', readPng('grey8.png', surfaces['grey8.png'].bytes))
+        engine.draw(words)
+        check(engine.device(40, 30, has).map, 'it keeps the map of the file that was replaced')
+    }],
+    ['a warning is said once, and no longer than it holds', () => {
+        const engine = new Engine(program), warnings = (...words) => engine.draw(['--scene=sphere', '--size=20x20', ...words]).warnings
+        equal(warnings('--roughness=1').length, 1, 'warnings')
+        equal(warnings('--roughness=1', '--specular=.3').length, 1, 'warnings with another highlight')
+        equal(warnings('--roughness=.5', '--specular=.3').length, 0, 'warnings of what is in range')
+    }],
+    ['a link brings no control characters into a command', () => {
+        const line = commandLine('glint render', wordsOf(stateOfFragment('height=a%15%0Aid%0A%7f.png')))
+        check(!/[\0-\x1f\x7f]/.test(line), JSON.stringify(line))
+    }],
     ['a file for which there is no memory is refused by its name, and every other one stays', () => {
         const engine = engineWithMaps(), none = { buffer: new ArrayBuffer(8), byteOffset: 0, byteLength: 2 ** 40, length: 2 ** 40 }
         same(engine, ['--height=grey8.png'])

@@ -66,6 +66,7 @@ export class Engine {
     private surfaceWarnings: string[] = []
     private drawn: string[] = []
     private frames = 0
+    private files = 0 // how many were added, also of one name
     private checker?: Module
 
     constructor(private program: WebAssembly.Module) {
@@ -115,6 +116,7 @@ export class Engine {
     private add(name: string, work: () => void): void {
         const maps = new Map(this.maps), meshes = new Map(this.meshes)
         this.surface = this.material = ''
+        this.files++
         try {
             work()
         } catch (error) {
@@ -147,7 +149,7 @@ export class Engine {
             const milliseconds = performance.now() - start
             const warnings = this.module.takeWarnings()
             if (keep !== keepCanvas)
-                this.surfaceWarnings = keep === keepScene ? [...this.surfaceWarnings.filter(w => !w.startsWith('--path')), ...warnings] : warnings
+                this.surfaceWarnings = keep === keepScene ? [...this.surfaceWarnings.filter(w => !/^--(path|roughness)/.test(w)), ...warnings] : warnings
             this.surface = surface
             this.material = material
             this.drawn = words
@@ -267,8 +269,8 @@ export class Engine {
             const { call } = this.module, { surface, material } = this
             if (!material || call.page_width() !== width || call.page_height() !== height)
                 return undefined
-            const packed = this.module.copy(call.page_device_material(), LIGHT_MATERIAL_BYTES), isNew = has.map !== surface
-            const scene = { has: { map: surface, material }, material: has.material === material ? undefined : packed }
+            const packed = this.module.copy(call.page_device_material(), LIGHT_MATERIAL_BYTES), map = `${surface}\0${this.files}`, isNew = has.map !== map
+            const scene = { has: { map, material }, material: has.material === material ? undefined : packed }
             return call.page_draws_mesh() ? {
                 ...scene,
                 mesh: isNew || undefined,

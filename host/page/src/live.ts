@@ -110,10 +110,10 @@ async function mapOnDevice(state: State, width: number, height: number): Promise
 
 let colour = { surface: '', text: '' }
 /** The colour where the state names none, for a surface that has several. */
-async function colourOf({ scene, height, normals, albedo, mask, color }: State): Promise<string> {
+async function colourOf({ scene, height, normals, albedo, mask, material, color }: State): Promise<string> {
     if (color !== undefined)
         return color
-    const words = wordsOf({ scene, height, normals, albedo, mask, lights: [] }), surface = words.join('\0')
+    const words = wordsOf({ scene, height, normals, albedo, mask, material, lights: [] }), surface = [filesVersion(), ...words].join('\0')
     if (surface !== colour.surface)
         colour = { surface, text: await ask('colour', words) }
     return colour.text

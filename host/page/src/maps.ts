@@ -15,7 +15,7 @@ import type { Kind, State } from './words'
 
 /** A file that is refused leaves all as it was: address, rows and picture, and what had its name. Why it is refused, or ''. */
 async function take(file: File, kind: Kind, named: File[] = []): Promise<string> {
-    const name = file.name.replace(/[/\\]/g, '_') // in the command line it must not look like a path
+    const name = file.name.replace(/[/\\\0-\x1f\x7f]/g, '_') // in the command line it must not look like a path, nor hold keys
     const had = bytesOf(name)
     let before = current(), tried: Partial<State> | undefined, refusal = ''
     try {

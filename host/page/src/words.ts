@@ -111,7 +111,7 @@ export function stateOfFragment(fragment: string): State {
         try {
             text = decodeURIComponent(text)
         } catch { /* a cut link: as it is */ }
-        text = text.replaceAll('\0', '\ufffd') // which ends a word on its way to the module
+        text = text.replace(/[\0-\x1f\x7f]/g, '\ufffd') // 0 ends a word on its way to the module; of the others a terminal makes keys
         if (lightKinds.includes(name as LightKind))
             state.lights.push({ kind: name as LightKind, text })
         else if (Object.hasOwn(options, name))

@@ -42,7 +42,10 @@ export const methods = {
         other.draw(words)
         return other.facts().colour.join()
     },
-    white: (name: string, width: number, height: number) => engine.addWhite(name, width, height),
+    white(name: string, width: number, height: number) {
+        engine.addWhite(name, width, height)
+        other.addWhite(name, width, height) // which saves animations
+    },
     deviceSize: (descriptor: Uint8Array) => engine.deviceSize(descriptor),
     deviceMesh: (held: Uint8Array, words: string[]) => engine.deviceMesh(held, words),
     device: (width: number, height: number, has: Had) => engine.device(width, height, has),
