@@ -11,14 +11,15 @@ import { stagePicture } from './stage'
 import { current, link } from './store'
 import { movedTo, orbitAt, selectedLight } from './sun'
 import { onShown } from './tabs'
-import { commandLine, wordsOf } from './words'
+import { commandLine, isGrainMap, wordsOf } from './words'
 import type { Option, State } from './words'
 
 const status = byId('file-status')
 const scene: Option[] = ['height', 'normals', 'scene', 'bevel', 'fit', 'scale', 'wrap', 'flip-y', 'mask', 'cut-out', 'filter', 'grain', 'size']
 
+/** What is baked; grain of a kind is a material's, and only of a file is there something to bake. */
 function only(options: Option[], state: State): string[] {
-    return wordsOf({ ...Object.fromEntries(options.filter(name => state[name] !== undefined).map(name => [name, state[name]])), lights: [] })
+    return wordsOf({ ...Object.fromEntries(options.filter(name => state[name] !== undefined && (name !== 'grain' || isGrainMap(state[name]))).map(name => [name, state[name]])), lights: [] })
 }
 
 function save(name: string, content: Uint8Array<ArrayBuffer> | Blob): void {

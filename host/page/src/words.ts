@@ -53,7 +53,7 @@ export function whiteName(taken?: { has: (name: string) => boolean }): string {
 export const white = whiteName()
 
 /** Is it a map of directions, not one of the kinds? */
-export const isGrainMap = (grain: string) => !/^(brushed|spun|sunray)(:|$)/.test(grain)
+export const isGrainMap = (grain: string) => !/^(brushed|spun|sunray|axis)(:|$)/.test(grain)
 
 /** Options that name a file of the user's. */
 export const kinds = ['height', 'normals', 'mesh', 'texture', 'albedo', 'gloss', 'mask', 'grain'] as const
