@@ -227,13 +227,9 @@ static void two_signals_at_once_end_the_video_after_a_whole_frame_too(void **sta
     assert_quiet("rm out/v.y4m");
 }
 
-/* The reader lags behind: the pipe is full when the signal comes, in the middle of a frame. Then it has room, so that nothing depends on how
- * soon the reader reads. */
-static void a_signal_ends_the_video_in_a_pipe_after_a_whole_frame(void **state)
+/* In a pipe that is full. */
+static pid_t video_that_nothing_reads(int ends[2])
 {
-    (void)state;
-    static uint8_t bytes[1 << 18];
-    int ends[2], status;
     assert_int_equal(pipe(ends), 0);
     const pid_t child = fork();
     assert_true(child >= 0);
@@ -246,6 +242,17 @@ static void a_signal_ends_the_video_in_a_pipe_after_a_whole_frame(void **state)
     }
     while (poll(&(struct pollfd){.fd = ends[1], .events = POLLOUT}, 1, 0) > 0 && lives(child))
         usleep(1000);
+    return child;
+}
+
+/* The reader lags behind: the pipe is full when the signal comes, in the middle of a frame. Then it has room, so that nothing depends on how
+ * soon the reader reads. */
+static void a_signal_ends_the_video_in_a_pipe_after_a_whole_frame(void **state)
+{
+    (void)state;
+    static uint8_t bytes[1 << 18];
+    int ends[2], status;
+    const pid_t child = video_that_nothing_reads(ends);
     assert_int_equal(kill(child, SIGSTOP), 0);
     assert_int_equal(waitpid(child, &status, WUNTRACED), child);
     assert_true(WIFSTOPPED(status));
@@ -269,18 +276,7 @@ static void a_signal_half_a_second_after_the_first_ends_a_video_that_nothing_rea
 {
     (void)state;
     int ends[2], status = 0;
-    assert_int_equal(pipe(ends), 0);
-    const pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0) {
-        dup2(ends[1], STDOUT_FILENO);
-        close(ends[0]);
-        close(ends[1]);
-        execl("/bin/sh", "sh", "-c", "exec " COIN "--frames 1000000 -o -", (char *)NULL);
-        _exit(127);
-    }
-    while (poll(&(struct pollfd){.fd = ends[1], .events = POLLOUT}, 1, 0) > 0 && lives(child))
-        usleep(1000);
+    const pid_t child = video_that_nothing_reads(ends);
     assert_int_equal(kill(child, SIGTERM), 0);
     pid_t gone = 0;
     for (int tries = 0; tries < 100 && !gone; tries++) {
