@@ -100,7 +100,8 @@ static bool unwind_run(void (*body)(void *of), void *of)
     if (!null) {
         null = fopen("/dev/null", "w");
         __sanitizer_install_malloc_and_free_hooks(unwind_on_malloc, unwind_on_free);
-        check(null);
+        check(null && setvbuf(null, NULL, _IONBF, 0) ==
+                          0); /* a buffer would be allocated in between, and used when it is freed */
     }
     stderr = null;
     unwind_on = true;
