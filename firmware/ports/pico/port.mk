@@ -62,14 +62,15 @@ MESH ?=
 SPLIT ?= 30
 AXES ?=
 COMMA := ,
+BLANK := $() $()
 PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filter teapot,$(DEMO)))
 PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
 # On an AMOLED panel in its middle, or the whole of it, whose strips of two cores would take all RAM.
 PICO_AMOLED_MESHES = $(if $(PICO_QSPI),$(if $(filter arm,$(ARCH)),$(foreach chip,rp2040 rp2350,$(chip).240x240.0.glint $(if $(filter 0,$(SECOND_CORE)),$(chip).466x466.0.glint))))
-PICO_FREE_PINS = 1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28
-PICO = build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(TE:%=-te%)$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
+PICO_FREE_PINS = $(filter-out $(if $(PICO_HAS_IMU),$(call pico_fact,14) $(call pico_fact,15)),1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28)
+PICO = build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(patsubst %,-te%,$(firstword $(TE)))$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
 PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
 PICO_SIZE = $(if $(PICO_TURNED),$(lastword $(PICO_SIDES))x$(firstword $(PICO_SIDES)),$(lastword $(subst -, ,$(PANEL))))
 
@@ -85,7 +86,8 @@ have-pico-choices:
 	@$(if $(or $(filter arm,$(ARCH)),$(filter riscv-rp2350,$(ARCH)-$(PICO_CHIP))),,echo "make: ARCH=$(ARCH): is arm, or on a board with an RP2350 riscv" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
 	@$(if $(filter 0 90 180 270,$(ROTATE)),,echo "make: ROTATE=$(ROTATE): say 0, 90, 180 or 270" >&2; exit 1)
-	@$(if $(filter-out $(PICO_FREE_PINS),$(TE)),echo "make: TE=$(TE): the pins that are free are $(PICO_FREE_PINS)" >&2; exit 1)
+	@$(if $(filter-out $(PICO_FREE_PINS),$(TE))$(word 2,$(TE)),echo "make: TE=$(TE): is one pin$(COMMA) and those that are free are $(PICO_FREE_PINS)" >&2; exit 1)
+	@$(if $(filter x0 x1,x$(subst $(BLANK),_,$(SECOND_CORE))),,echo "make: SECOND_CORE=$(SECOND_CORE): say 0 or 1" >&2; exit 1)
 	@$(if $(PICO_QSPI)$(filter co5300-%,$(call pico_fact,4)),$(if $(and $(PICO_QSPI),$(filter co5300-%,$(call pico_fact,4)),$(filter 0,$(ROTATE)),$(if $(TE),,1)),,echo "make: PANEL=$(PANEL)$(COMMA) BOARD=$(PICO_BOARD): AMOLED panels (co5300) are for the boards that have one$(COMMA) which take no others; leave ROTATE and TE out" >&2; exit 1))
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
 	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
