@@ -22,6 +22,8 @@
 #include <hardware/watchdog.h>
 
 #define SPI (PIN_CLOCK / 8 % 2 ? spi1 : spi0) /* the chip's, by the pin */
+/* SPI divides the clock by an even number; a slower bus would tear, and no message would say so. */
+typedef char spi_has_the_panels_clock[IS_QSPI || SYS_CLK_HZ % (2 * BUS_HZ) == 0 ? 1 : -1];
 
 static struct {
     unsigned send, fetch; /* DMA channels */

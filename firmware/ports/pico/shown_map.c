@@ -17,8 +17,9 @@
 
 #include <pico.h>
 
-/* Where a map fills RAM the lines are in a bank of 4 KB, beside the second core's stack. */
-#if OFFERS_LIGHT
+/* Where a map fills RAM the lines are in a bank of 4 KB, beside the second core's stack of 1 KB; those of a map that is smaller may
+ * be too many for it. */
+#if OFFERS_LIGHT && PANEL_WIDTH * 4 + PANEL_HEIGHT * 8 <= 3072
 #define LINES_BANK __scratch_x("lines")
 #else
 #define LINES_BANK
