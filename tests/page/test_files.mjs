@@ -120,7 +120,8 @@ run([
         const saved = await browser.save('file-mesh', 2), expected = command.files(['bake', ...words.filter(word => /^--(scene|texture|nearest)/.test(word)), '-o', 'mesh.c'])
         check(Object.keys(expected).every(file => saved[file]?.equals(expected[file])), 'the saved mesh is not the command\'s')
         for (const [name, bytes, sentence] of [['texture.jpg.png', Buffer.from('\xff\xd8\xff\xe0', 'latin1'), /a JPEG, not a PNG; convert it/], ['texture16.png', surfaces['grey16.png'].bytes, /16 bits a sample/],
-            ['texture of gamma 1.png', png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 99, extra: [['gAMA', [0, 1, 0x86, 0xa0]]] }), /a gamma or colour profile of its own/]]) {
+            ['texture of gamma 1.png', png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 99, extra: [['gAMA', [0, 1, 0x86, 0xa0]]] }), /a gamma or colour profile of its own/],
+            ['texture of gamma 1 behind a comment.png', png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 99, extra: [['tEXt', Array(9000).fill(65, 1).fill(0, 20, 21)], ['gAMA', [0, 1, 0x86, 0xa0]]] }), /a gamma or colour profile of its own/]]) {
             await browser.drop({ [name]: bytes })
             await browser.until(name => document.getElementById('refusal').textContent.startsWith(name), name)
             check(sentence.test(await browser.text('refusal')), await browser.text('refusal'))

@@ -230,9 +230,13 @@ function turned(normals: number[], m: Matrix): number[] {
 
 /** The command decodes a texture's own gamma, if it is another one than sRGB's; the page takes samples as they are. */
 export function checkTexture(name: string, bytes: Uint8Array<ArrayBuffer>): void {
-    const text = new TextDecoder('latin1').decode(bytes.subarray(0, 4096)), at = text.indexOf('gAMA')
-    if (at > 0 && at < text.indexOf('IDAT') && Math.abs(new DataView(bytes.buffer, bytes.byteOffset).getUint32(at + 4) - 45455) > 50 || text.includes('iCCP'))
-        throw new Error(`${name}: has a gamma or colour profile of its own; save it as plain sRGB`)
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
+    for (let at = 8, length, kind; at + 12 <= bytes.length && kind !== 'IDAT'; at += 12 + length) { // chunks, of which comments may be long
+        length = view.getUint32(at)
+        kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8))
+        if (kind === 'iCCP' || kind === 'gAMA' && Math.abs(view.getUint32(at + 8) - 45455) > 50)
+            throw new Error(`${name}: has a gamma or colour profile of its own; save it as plain sRGB`)
+    }
 }
 
 const within = (value: number) => Math.min(1, Math.max(0, value))
