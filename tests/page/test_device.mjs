@@ -194,6 +194,14 @@ run([
         equal(await page.evaluate(() => globalThis.workers.length), length + 1, 'workers')
         await follows()
     }],
+    ['a file that is refused with the view that a board has of it is not taken', async () => {
+        const before = (await browser.now()).fragment
+        await browser.drop({ 'mask.png': png({ width: 7, height: 5, type: 0, depth: 8, sample: () => 255 }) })
+        await refuses('mask.png')
+        await browser.until(before => document.body.dataset.drawn === before && location.hash.slice(1) === before, before)
+        equal(await page.evaluate(() => document.body.dataset.kept === 'mask.png'), false, 'it is kept')
+        await follows()
+    }],
     ['a board whose first picture is stopped is said to keep its own, and follows what comes then', async () => {
         await connect()
         await says('Disconnected')

@@ -5,7 +5,7 @@ import { ask, stopped, workersSoFar } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
 import { filesVersion, isHere } from './kept'
-import { onDrawn, redraw, setView, settled } from './picture'
+import { NotHere, onDrawn, redraw, setView, settled } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
 import { beginMotion, pointTo, towards } from './sun'
@@ -73,14 +73,14 @@ function follows(to: Pico): void {
     setView(async state => {
         if (isMesh(state)) {
             if (!mesh)
-                throw new Error(sentences.noMesh)
+                throw new NotHere(sentences.noMesh)
             const split = await splitOf(mesh, state)
             if (!split)
-                throw new Error(sentences.otherMesh)
+                throw new NotHere(sentences.otherMesh)
             return { state: meshOnDevice(state, width, height, split), isBoards: true }
         }
         if (!takesMaps)
-            throw new Error(sentences.onlyMesh)
+            throw new NotHere(sentences.onlyMesh)
         return mapOnDevice(state, width, height)
     })
     void redraw()

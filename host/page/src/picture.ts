@@ -38,6 +38,9 @@ export function onDrawn(listener: (drawn: Drawn) => void): void {
     listeners.push(listener)
 }
 
+/** What shows the picture now does not draw such a state, which is none the worse for it. */
+export class NotHere extends Error {}
+
 type View = (state: State) => Viewed | Promise<Viewed>
 const itself: View = state => ({ state })
 let view = itself
@@ -60,10 +63,7 @@ async function draw(now: State): Promise<void> {
     refusal = ''
     try {
         const missing = await missingOf(now), seen = await view(missing.length ? without(now, missing) : now)
-        const picture = await ask('draw', wordsOf(seen.state)).catch(error => {
-            refusal = (error as Error).message
-            throw error
-        })
+        const picture = await ask('draw', wordsOf(seen.state))
         put({ ...picture, ...seen, asked: now, standsIn: missing.length > 0 })
         forgetOld(now)
         if (missing.length || told !== still(now))
@@ -73,6 +73,7 @@ async function draw(now: State): Promise<void> {
     } catch (error) {
         if (error instanceof Stopped)
             throw error
+        refusal = error instanceof NotHere ? '' : (error as Error).message
         print((error as Error).message)
         const inPlace = !drawn && now !== start && await ask('draw', wordsOf(start)).catch(() => undefined) // there is no last good picture
         if (inPlace)
