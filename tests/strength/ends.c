@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT
  * Linked into what is counted: programs that end without exit() write their counters first, also where files may not grow. */
 #include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -16,10 +18,27 @@ int __wrap_kill(pid_t pid, int number);
 int __real_raise(int number);
 int __wrap_raise(int number);
 
+/* Where files may not grow (ulimit -f), counters would be written in part only and spoil those of all other runs. */
+static bool files_may_grow(void)
+{
+    struct rlimit limit;
+    return getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+}
+
 static void write_counters(void)
 {
-    if (__gcov_dump)
+    if (__gcov_dump && files_may_grow())
         __gcov_dump();
+}
+
+/* Before libgcov writes them by itself; it would complain on standard error of each that it cannot write. */
+static void leave(int status, void *unused)
+{
+    (void)unused;
+    if (!files_may_grow()) {
+        fflush(NULL);
+        __real__exit(status);
+    }
 }
 
 void __wrap__exit(int status)
@@ -60,4 +79,5 @@ static void end(int number)
 __attribute__((constructor)) static void begin(void)
 {
     signal(SIGTERM, end); /* main() mostly has another way */
+    on_exit(leave, NULL); /* first in, last out */
 }

@@ -7,6 +7,8 @@ STRENGTH_COUNTED = BUILD=build/coverage CFLAGS='-O0 -g --coverage -fprofile-upda
 STRENGTH_TRAPS = -O1 -fsanitize=undefined -fsanitize-undefined-trap-on-error
 # What programs have to say about their counters goes there, not among the messages that tests read.
 STRENGTH_ERRORS = GCOV_ERROR_FILE="$(CURDIR)/build/coverage/errors.log"
+# Without GLINT_LIBRARY: programs that a test compiles do not link with a library that is counted.
+STRENGTH_ENV = UNIT_ENV='GLINT="$(CURDIR)/build/coverage/glint" GLINT_SOURCE="$(CURDIR)"'
 STRENGTH_EXACT = $(addprefix tests/exact/test_,eval eval_t cutoff grain pixel unit reach lights)
 STRENGTH_UNIT = $(patsubst %.c,%,$(wildcard tests/unit/lib/test_*.c tests/unit/firmware/test_*.c))
 # How many mutants, and which: another seed chooses others.
@@ -25,8 +27,8 @@ build/ends.o: tests/strength/ends.c
 coverage-lib: setup-strength build/ends.o ## check: the same of lib/ and firmware/core/ by their own tests alone (two minutes)
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
-	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) COUNTED="$(CURDIR)/build/coverage/glint" \
-		GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)" tests/tally $(addprefix build/coverage/,$(STRENGTH_EXACT) $(STRENGTH_UNIT))
+	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) \
+		GLINT="$(CURDIR)/build/coverage/glint" GLINT_SOURCE="$(CURDIR)" tests/tally $(addprefix build/coverage/,$(STRENGTH_EXACT) $(STRENGTH_UNIT))
 	@tests/strength/covered build/coverage
 
 # For lines and branches a few arguments are as good as many.
@@ -34,8 +36,8 @@ coverage: setup-strength build/ends.o ## check: which lines and branches of lib/
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
-	@$(PLUS)$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) \
-		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' UNIT_LONG= run-check-unit || \
+	@$(PLUS)$(STRENGTH_ERRORS) $(SUBMAKE) -s $(STRENGTH_COUNTED) \
+		$(STRENGTH_ENV) UNIT_LONG= run-check-unit || \
 		echo "coverage: what failed in this build was counted as far as it went"
 	@tests/strength/covered build/coverage
 
@@ -47,8 +49,8 @@ coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## 
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
 	@+for goal in "TEST=test_ run-unit" run-lab "TEST=test_[ep][no][ds]* run-pico"; do \
-		$(STRENGTH_ERRORS) COUNTED="$(CURDIR)/build/coverage/glint" $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 \
-		UNIT_ENV='GLINT="$(CURDIR)/tests/strength/counted" GLINT_SOURCE="$(CURDIR)"' $$goal || \
+		$(STRENGTH_ERRORS) $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 \
+		$(STRENGTH_ENV) $$goal || \
 		echo "coverage: what failed in this build was counted as far as it went"; done
 	@tests/strength/covered build/coverage
 
