@@ -138,6 +138,7 @@ static void draw_exactly(const struct glint_paint *paint, struct glint_lines *li
     glint_bounds_box(&bounds, highlight);
 }
 
+#if GLINT_LINE_SPANS
 /* A span in one loop, where there is one. */
 static void draw_walked(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                         struct glint_box *highlight)
@@ -145,6 +146,9 @@ static void draw_walked(const struct glint_paint *paint, struct glint_lines *lin
     if (!glint_fused_lines(paint, lines, at, h, highlight))
         draw_exactly(paint, lines, at, h, highlight);
 }
+#else
+#define draw_walked draw_exactly
+#endif
 
 static void draw_normals(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at,
                          struct glint_sample *samples)
@@ -246,7 +250,7 @@ draw_span(const struct glint_paint *paint, const struct glint_span *span, const 
     lines.maps = maps;
     lines.target = target;
     lines.soft = soft;
-    lines.draw = GLINT_LINE_SPANS ? draw_walked : draw_exactly;
+    lines.draw = draw_walked;
     lines.source = glint_lines_walk;
     lines.w = span->w;
     lines.has_gaps = false;

@@ -132,7 +132,7 @@ void glint_mesh_edges_sort(const struct glint_mesh_frame *frame, const struct gl
 /* Sets up a strip's outlines, and gives those that go on to the next. */
 void glint_mesh_rims_take(const struct glint_mesh_target *strip);
 void glint_mesh_rims_give(const struct glint_mesh_target *strip);
-/* A face's first outline in the strip; NULL: it has none. */
+/* The first outline in the strip of a face that is not listed; NULL: it has none. */
 struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip, unsigned face);
 /* The next one. */
 static inline struct glint_mesh_rim *glint_mesh_rim_after(struct glint_mesh_rim *rim)

@@ -411,6 +411,7 @@ static __attribute__((noinline)) void grain_pixels(const struct glint_paint *pai
             (void)glint_grain_exactly(paint, lines, at, samples + i, i);
 }
 
+#if GLINT_CORTEX_M0PLUS_ASM && GLINT_FUSED /* the one loop that asks for it */
 void glint_grain_edge(const struct glint_paint *paint, struct glint_lines *lines, struct glint_bounds *bounds,
                       unsigned count, uint32_t y)
 {
@@ -419,6 +420,7 @@ void glint_grain_edge(const struct glint_paint *paint, struct glint_lines *lines
         grain_pixels(paint, lines, NULL, bounds, y);
     }
 }
+#endif
 
 void glint_grain_draw(const struct glint_paint *paint, struct glint_lines *lines, struct glint_span *at, uint32_t h,
                       struct glint_box *highlight)

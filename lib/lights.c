@@ -61,10 +61,11 @@ LIGHTS_ALONE void lights_sample(struct glint_lights *lights, unsigned at, unsign
     sight->e[0] = position[0] - 16 * (int32_t)(lights->run->left + lights->run->x + from) - 8;
     sight->e[1] = 16 * (int32_t)lights->run->y + 8 - position[1];
     sight->e[2] = position[2];
-    glint_light_front *const front =
-        lights->is_front && geometry == glint_samples_half ? GLINT_FLASH_POINTER(light->kind->front) : NULL;
+    glint_light_front *const front = GLINT_WIDE && lights->is_front && geometry == glint_samples_half
+                                         ? GLINT_FLASH_POINTER(light->kind->front)
+                                         : NULL;
     for (unsigned i = from; i < from + count; i++, sample++, normal++) {
-        if (front) {
+        if (GLINT_WIDE && front) {
             const unsigned open = front(lights, at, i, from + count, sample, arriving);
             sample += open - i;
             arriving += open - i;

@@ -131,7 +131,7 @@ static __attribute__((noinline)) void rows_of_many(const struct glint_paint *pai
             part = glint_mesh_triangle_part(&piece->triangle, window.bottom);
             part.left->x = window.left * 65536;
             part.right->x = window.right * 65536;
-            if (is_colour)
+            if (GLINT_CORTEX_M0PLUS_ASM && is_colour)
                 glint_mesh_colour(&paint->of.tables.filled, &piece->triangle, strip);
             else
                 glint_mesh_piece(paint, &piece->triangle, strip, &strip->drawn->outlines->row, line);

@@ -243,8 +243,6 @@ struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip,
 {
     const struct glint_mesh_drawn *const drawn = strip->drawn;
     struct glint_mesh_outlines *const outlines = drawn->outlines;
-    if (drawn->edges[face] & GLINT_EDGES_LISTED)
-        return outlines->rims + drawn->rims[face];
     struct glint_mesh_rim *const rim = outlines->rims + GLINT_MESH_RIMS;
     const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
     return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, &window, face) ? rim : NULL;

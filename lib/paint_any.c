@@ -21,12 +21,14 @@ static const struct glint_use_model *any_model(uint8_t model)
     return NULL;
 }
 
+/* The last where none of the others draws it: whether that does is asked later. */
 static const struct glint_use_format *any_format(const struct glint_output *output)
 {
-    for (size_t i = 0; i < sizeof any_formats / sizeof *any_formats; i++)
-        if (GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(any_formats[i])->draws)(output))
-            return GLINT_FLASH_POINTER(any_formats[i]);
-    return NULL;
+    size_t i = 0;
+    while (i + 1 < sizeof any_formats / sizeof *any_formats &&
+           !GLINT_FLASH_POINTER(GLINT_FLASH_POINTER(any_formats[i])->draws)(output))
+        i++;
+    return GLINT_FLASH_POINTER(any_formats[i]);
 }
 
 enum glint_err glint_paint_exact(struct glint_paint *paint, const struct glint_material *material,

@@ -234,6 +234,7 @@ LINEAR_ALONE uint32_t linear_found(const struct glint_paint *p, const struct gli
     return linear_level(encoded, linear_max(p, k), linear_threshold(p, run, i)) >> 16;
 }
 
+#if GLINT_CORTEX_M0PLUS_ASM
 /* Step 7's argument, of a sample without maps, V not shifted down. */
 LINEAR_ALONE uint32_t linear_argument(const struct glint_paint *p, const struct glint_sample *sample, unsigned k)
 {
@@ -241,6 +242,9 @@ LINEAR_ALONE uint32_t linear_argument(const struct glint_paint *p, const struct 
         linear_parts_of(p->of.exact.p[k], p->of.exact.q[k], p->of.exact.r[k], GLINT_LINEAR_SHIFT);
     return linear_x(linear_v(&parts, sample->nl_q16, sample->f_q16), GLINT_LINEAR_SHIFT);
 }
+#else
+#define linear_argument(p, sample, k) 0 /* nothing packs levels before */
+#endif
 
 /* The levels of those alone: the bits of what is another level at V + W. has_levels: levels have taken the arguments' places. */
 LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, bool has_levels, uint32_t near,
@@ -252,7 +256,7 @@ LINEAR_ALONE uint32_t linear_settle(union linear_pixel *at, bool has_levels, uin
     for (unsigned i = 0; near >> i; i++, at++, sample++) {
         if (!(near >> i & 1))
             continue;
-        const uint32_t x = has_levels ? linear_argument(p, sample, k) : at->x[1];
+        const uint32_t x = GLINT_CORTEX_M0PLUS_ASM && has_levels ? linear_argument(p, sample, k) : at->x[1];
         const uint32_t most = x + steps < LINEAR_ONE ? x + steps : LINEAR_ONE;
         const uint32_t found = linear_found(p, run, i, k, x);
         /* With nl = 0 V is P alone, rounded down by less than 1, and so x is exact. Not in grey, which sums parts of P (and whose
