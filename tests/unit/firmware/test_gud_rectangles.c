@@ -123,6 +123,33 @@ static void a_device_that_takes_whole_frames_alone_needs_no_request_for_each(voi
     assert_int_equal(board.whole, 4);
 }
 
+static void no_frame_begins_without_a_byte_a_mode_or_a_display_that_is_on(void **state)
+{
+    (void)state;
+    const uint8_t bytes[100] = {0};
+    take_whole_frames();
+    assert_int_equal(set_byte(GUD_SET_CONTROLLER_ENABLE, 1), GUD_OK);
+    send(bytes, sizeof bytes, false);
+    assert_int_equal(board.windows, 0);
+    go(GUD_RGB565);
+    gud_device_bulk(&board.device, bytes, 0);
+    assert_int_equal(board.windows, 0);
+    send(bytes, 1, false);
+    assert_int_equal(board.windows, 1);
+}
+
+static void a_board_that_is_never_busy_takes_each_whole_frame(void **state)
+{
+    (void)state;
+    const uint8_t bytes[2 * WIDTH * HEIGHT] = {0};
+    const struct gud_device_ops idle = {window, line, end, display, NULL};
+    board.config.ops = &idle;
+    take_whole_frames();
+    go(GUD_RGB565);
+    send(bytes, sizeof bytes, false);
+    assert_true(board.windows == 1 && board.whole == 1);
+}
+
 /* Linux announces the frame that follows one that failed. */
 static void a_device_of_whole_frames_takes_an_announcement_of_a_whole_one(void **state)
 {
@@ -365,6 +392,8 @@ int main(void)
         DEVICE_TEST(compression_that_is_not_offered_is_refused),
         DEVICE_TEST(a_board_that_is_busy_says_so),
         DEVICE_TEST(a_device_that_takes_whole_frames_alone_needs_no_request_for_each),
+        DEVICE_TEST(no_frame_begins_without_a_byte_a_mode_or_a_display_that_is_on),
+        DEVICE_TEST(a_board_that_is_never_busy_takes_each_whole_frame),
         DEVICE_TEST(a_device_of_whole_frames_takes_an_announcement_of_a_whole_one),
         DEVICE_TEST(a_restart_of_the_bulk_data_ends_a_frame_that_nothing_announced),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),

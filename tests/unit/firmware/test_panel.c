@@ -477,6 +477,33 @@ static void a_bus_that_fails_at_any_call_fails_the_panel(void **state)
     }
 }
 
+static void a_bus_that_fails_while_glass_is_made_black_fails_the_start(void **state)
+{
+    (void)state;
+    struct panel panel = made(&bus, PANEL_CO5300, 0, 240, 240);
+    for (size_t limit = 0; limit < 60; limit++) { /* of 13,600 and more */
+        calls = happenings = 0;
+        calls_that_work = limit;
+        assert_false(panel_start(&panel));
+        assert_int_equal(calls, limit + 1);
+    }
+}
+
+static void a_bus_that_fails_in_any_page_fails_the_pages(void **state)
+{
+    (void)state;
+    const uint8_t lines[64 * 16] = {0};
+    const struct panel panel = made(&bus, PANEL_SSD1306, 0, 128, 64);
+    assert_true(panel_mono(&panel, lines, 16, 0, 9, 30, 9));
+    const size_t whole = calls;
+    for (size_t limit = 0; limit < whole; limit++) {
+        calls = happenings = 0;
+        calls_that_work = limit;
+        assert_false(panel_mono(&panel, lines, 16, 0, 9, 30, 9));
+        assert_int_equal(calls, limit + 1);
+    }
+}
+
 /* ---- the SSD1306 ---- */
 
 static void commands_are(const uint8_t *wanted, size_t count, size_t from)
@@ -517,6 +544,20 @@ static void an_ssd1306_gets_its_addresses_as_commands_and_its_pixels_in_pages(vo
     }
 }
 
+static void an_ssd1306_of_32_rows_has_their_pins_and_one_that_is_inverted_is_told(void **state)
+{
+    (void)state;
+    struct panel panel = made(&bare_bus, PANEL_SSD1306, 0, 128, 32);
+    panel.inverted = true;
+    assert_true(panel_start(&panel));
+    assert_int_equal(record[place_of(COMMAND, 0xda) + 1].value, 0x02);
+    assert_true(place_of(COMMAND, 0xa7) > place_of(COMMAND, 0xa4));
+    panel = made(&bus, PANEL_SSD1306, 0, 128, 64);
+    assert_true(panel_start(&panel));
+    assert_int_equal(record[place_of(COMMAND, 0xda) + 1].value, 0x12);
+    assert_true(place_of(COMMAND, 0xa6) > place_of(COMMAND, 0xa4));
+}
+
 static void an_ssd1306_takes_whole_pages_and_half_turns_alone(void **state)
 {
     (void)state;
@@ -529,6 +570,16 @@ static void an_ssd1306_takes_whole_pages_and_half_turns_alone(void **state)
     assert_false(panel_mono(&panel, lines, 16, 0, 0, 8, 0));
     assert_int_equal(happenings, 0);
     assert_true(panel_mono(&panel, lines, 16, 120, 63, 8, 1));
+    static const struct panel wrong[] = {
+        {.controller = PANEL_SSD1306, .width = 0, .height = 64},
+        {.controller = PANEL_SSD1306, .width = 128, .height = 0},
+        {.controller = PANEL_SSD1306, .width = 128, .height = 72},
+        {.controller = PANEL_SSD1306, .width = 129, .height = 64},
+        {.controller = PANEL_SSD1306, .width = 128, .height = 56, .y_offset = 8},
+        {.controller = PANEL_SSD1306, .width = 128, .height = 64, .rotation = 4},
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_false(panel_fits(&wrong[i]));
     panel.rotation = 1;
     assert_false(panel_fits(&panel));
     panel.rotation = 0;
@@ -620,7 +671,10 @@ int main(void)
         cmocka_unit_test(the_ili9341_gets_its_voltages_and_gamma_curves),
         cmocka_unit_test(without_a_reset_line_the_command_resets),
         cmocka_unit_test(a_bus_that_fails_at_any_call_fails_the_panel),
+        cmocka_unit_test(a_bus_that_fails_while_glass_is_made_black_fails_the_start),
+        cmocka_unit_test(a_bus_that_fails_in_any_page_fails_the_pages),
         cmocka_unit_test(an_ssd1306_gets_its_addresses_as_commands_and_its_pixels_in_pages),
+        cmocka_unit_test(an_ssd1306_of_32_rows_has_their_pins_and_one_that_is_inverted_is_told),
         cmocka_unit_test(an_ssd1306_takes_whole_pages_and_half_turns_alone),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),
         cmocka_unit_test(a_panel_that_is_unknown_or_does_not_fit_is_refused),

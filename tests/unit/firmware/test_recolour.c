@@ -127,6 +127,9 @@ static void what_cannot_be_lit_or_is_not_plain_rgb565_begins_no_frame(void **sta
     start();
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 0}), GLINT_ERR_VECTOR);
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, -1}), GLINT_ERR_VECTOR);
+    recolour.normals = NULL;
+    assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 1}), GLINT_ERR_ARG);
+    recolour.normals = normals;
     assert_int_equal(glint_paint_exact(&paint, &demo_gold, &grey), GLINT_OK);
     assert_int_equal(recolour_frame(&recolour, (int32_t[]){0, 0, 1}), GLINT_ERR_FORMAT);
     assert_int_equal(glint_paint_exact(&paint, &demo_gold, &dithered), GLINT_OK);

@@ -20,6 +20,7 @@ static struct panel_bus glass;
 static struct {
     const uint16_t *pixels;
     size_t count, sent, windows;
+    bool broken;
     void (*done)(void *);
     void *argument;
 } bus;
@@ -55,7 +56,7 @@ static bool on_command(void *context, uint8_t command)
     while (end_flush())
         ;
     bus.windows += command == PANEL_MEMORY_WRITE;
-    return glass.command(glass.context, command);
+    return !bus.broken && glass.command(glass.context, command);
 }
 
 static bool on_data(void *context, const uint8_t *bytes, size_t count)
@@ -219,11 +220,39 @@ static void meshes_are_the_librarys_at_every_turn_and_nothing_outside_is_sent(vo
     }
 }
 
+static void a_bus_that_fails_is_told(void **state)
+{
+    (void)state;
+    static struct made_mesh ball;
+    static uint32_t memory[CORE_BYTES / 4], strips[2 * SIDE * TURNTABLE_LINES / 2];
+    mesh_ball(&ball, 9, 14);
+    struct turntable turntable = {.pieces = {.hal = &hal, .panel = &panel},
+                                  .mesh = &ball.mesh,
+                                  .paint = &paint,
+                                  .memory_bytes = CORE_BYTES,
+                                  .strips = strips,
+                                  .strip_count = 2,
+                                  .lower_y = SIDE,
+                                  .core = {{.memory = memory}}};
+    struct glint_pose pose;
+    start_panel(0);
+    light_paint(demo_mesh_light);
+    demo_pose(&pose, 0, SIDE);
+    assert_int_equal(turntable_start(&turntable), GLINT_OK);
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
+    bus.broken = true;
+    enum turntable_step step;
+    while ((step = turntable_step(&turntable)) == TURNTABLE_BUSY)
+        end_flush();
+    assert_int_equal(step, TURNTABLE_BUS_FAILED);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(maps_are_the_librarys_at_every_turn_and_nothing_outside_is_shaded_or_sent),
         cmocka_unit_test(meshes_are_the_librarys_at_every_turn_and_nothing_outside_is_sent),
+        cmocka_unit_test(a_bus_that_fails_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -274,18 +274,17 @@ static void in_perspective_textures_go_in_steps_of_the_sequence(void **state)
 }
 
 /* What draws an even line lays the triangle's colours behind it, for the strips after this one. */
-static void a_mesh_is_the_same_in_strips_at_even_and_odd_addresses(void **state)
+enum { SIDE = 64, STRIP = 16, BYTES = 2 * SIDE };
+/* In strips, each at an odd address where its bit is set, all with an odd stride where bit 4 is; the mesh is added before strip number `added`. */
+static void draw_in_strips(uint8_t picture[SIDE * BYTES], unsigned odd_ones, int added)
 {
-    (void)state;
-    enum { SIDE = 64, STRIP = 16, BYTES = 2 * SIDE };
     static const int16_t places[] = {-800, 900, 0, -900, -900, 0, 900, -700, 0},
                          normals[] = {0, 0, 32767, 0, 0, 32767, 0, 0, 32767};
     static const uint16_t face[] = {0, 1, 2};
     static const uint8_t colours[] = {255, 0, 0, 0, 255, 0, 0, 0, 255};
     static const int32_t front[] = {0, 0, 1};
     static uint32_t frame_memory[60000], mesh_memory[100];
-    static uint8_t even[SIDE * BYTES], mixed[SIDE * BYTES];
-    static uint16_t strip[STRIP * SIDE + 1];
+    static uint16_t strip[STRIP * (SIDE + 1)];
     const struct glint_material material = {
         .model = GLINT_MSH, .n = 20, .ambient_q16 = {30000, 30000, 30000}, .diffuse_q16 = {30000, 30000, 30000}};
     const struct glint_output output = {GLINT_RGB565, GLINT_GAMMA, false};
@@ -303,28 +302,51 @@ static void a_mesh_is_the_same_in_strips_at_even_and_odd_addresses(void **state)
     assert_int_equal(glint_paint_tables(&paint, GLINT_TABLES_ALBEDO, &material, &output, memory, sizeof memory),
                      GLINT_OK);
     assert_int_equal(glint_paint_light(&paint, &light, 1, front), GLINT_OK);
-    for (int odd_ones = 0; odd_ones < 16; odd_ones++) { /* a bit a strip */
-        struct glint_mesh_frame frame;
-        struct glint_mesh_drawn drawn;
-        assert_int_equal(glint_mesh_begin(&frame, SIDE, SIDE, STRIP, 0, frame_memory, sizeof frame_memory), GLINT_OK);
-        assert_int_equal(glint_mesh_add(&frame, &drawn, &triangle, &pose, &paint, mesh_memory, sizeof mesh_memory),
-                         GLINT_OK);
-        for (int i = 0; i < SIDE / STRIP; i++) {
-            uint8_t *const pixels = (uint8_t *)strip + (odd_ones >> i & 1);
-            const struct glint_surface surface = {pixels, BYTES, 0, (uint16_t)(i * STRIP)};
-            memset(strip, 0, sizeof strip);
-            assert_int_equal(glint_mesh_strip(&frame, (uint16_t)(i * STRIP), STRIP, &surface), GLINT_OK);
-            memcpy((odd_ones ? mixed : even) + i * STRIP * BYTES, pixels, STRIP * BYTES);
-        }
-        if (odd_ones)
-            assert_memory_equal(mixed, even, sizeof even);
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    assert_int_equal(glint_mesh_begin(&frame, SIDE, SIDE, STRIP, 0, frame_memory, sizeof frame_memory), GLINT_OK);
+    for (int i = 0; i < SIDE / STRIP; i++) {
+        uint8_t *const pixels = (uint8_t *)strip + (odd_ones >> i & 1);
+        const ptrdiff_t stride = BYTES + (odd_ones >> 4 & 1);
+        const struct glint_surface surface = {pixels, stride, 0, (uint16_t)(i * STRIP)};
+        memset(strip, 0, sizeof strip);
+        if (i == added)
+            assert_int_equal(glint_mesh_add(&frame, &drawn, &triangle, &pose, &paint, mesh_memory, sizeof mesh_memory),
+                             GLINT_OK);
+        assert_int_equal(glint_mesh_strip(&frame, (uint16_t)(i * STRIP), STRIP, &surface), GLINT_OK);
+        for (int y = 0; y < STRIP; y++)
+            memcpy(picture + (i * STRIP + y) * BYTES, pixels + y * stride, BYTES);
+    }
+}
+
+static void a_mesh_is_the_same_in_strips_at_even_and_odd_addresses_and_strides(void **state)
+{
+    (void)state;
+    static uint8_t even[SIDE * BYTES], mixed[SIDE * BYTES];
+    draw_in_strips(even, 0, 0);
+    for (unsigned odd_ones = 1; odd_ones < 32; odd_ones++) {
+        draw_in_strips(mixed, odd_ones, 0);
+        assert_memory_equal(mixed, even, sizeof even);
+    }
+}
+
+static void a_mesh_added_between_strips_is_the_same_below(void **state)
+{
+    (void)state;
+    static uint8_t early[SIDE * BYTES], late[SIDE * BYTES];
+    draw_in_strips(early, 0, 0);
+    for (int added = 1; added < SIDE / STRIP; added++) {
+        draw_in_strips(late, 0, added);
+        assert_memory_equal(late + added * STRIP * BYTES, early + added * STRIP * BYTES,
+                            sizeof early - (size_t)(added * STRIP * BYTES));
     }
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_mesh_is_the_same_in_strips_at_even_and_odd_addresses),
+        cmocka_unit_test(a_mesh_is_the_same_in_strips_at_even_and_odd_addresses_and_strides),
+        cmocka_unit_test(a_mesh_added_between_strips_is_the_same_below),
         cmocka_unit_test(a_picture_in_colours_is_the_same_in_strips_of_any_height_and_order),
         cmocka_unit_test(a_face_of_a_colour_has_the_pixels_of_that_albedo),
         cmocka_unit_test(vertices_of_one_colour_have_the_pixels_of_that_albedo),

@@ -110,6 +110,22 @@ static void see_uv(const struct seen *s, const double weight[3], double at[2])
                 r;
 }
 
+static void a_part_whose_texture_has_no_pixels_is_drawn_as_without(void **state)
+{
+    (void)state;
+    static uint16_t out[MESH_H * MESH_W], expected[MESH_H * MESH_W];
+    const struct glint_texture none = {0};
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_paint paint;
+    paint_of(&paint, &look);
+    mesh_ball(&mesh, 6, 8);
+    mesh_picture(&mesh, &paint, (uint8_t *)expected, 2, whole, 1, false);
+    uv_at_random(&mesh);
+    mesh.mesh.textures = &none;
+    mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
+    assert_memory_equal(out, expected, sizeof out);
+}
+
 /* A texture whose texels are all different. */
 static uint16_t numbers[SIDE][SIDE];
 static struct glint_texture numbered(bool is_smooth)
@@ -522,6 +538,7 @@ static void textures_that_cannot_be_drawn_are_refused(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_part_whose_texture_has_no_pixels_is_drawn_as_without),
         cmocka_unit_test(any_texture_is_the_same_in_strips_of_any_height_and_order),
         cmocka_unit_test(a_texture_of_one_colour_has_the_pixels_of_that_albedo),
         cmocka_unit_test(texels_are_those_of_double_precision),

@@ -73,6 +73,19 @@ static void quick_values_of_models_are_mostly_the_values(void **state)
         assert_in_range(low_of_m((enum glint_model)grained[i]), 0, 100);
 }
 
+/* Where (n + 4) t / 2, in which its quick form overflows, reaches 2^32. */
+static void cayley_is_0_from_its_end_on(void **state)
+{
+    (void)state;
+    for (uint32_t n = 4; n <= 1000; n++) {
+        const uint32_t end = (uint32_t)(((UINT64_C(1) << 33) + n + 3) / (n + 4));
+        for (uint32_t t = end; t <= UINT32_C(1) << 30; t += t == end ? 0x3fff - (end & 0x3fff) + 1 : t >> 1) {
+            assert_int_equal(glint_cayley_t(n, t), 0);
+            assert_int_equal(glint_cayley_t(n, t | (t < UINT32_C(1) << 30 ? 0x3fff : 0)), 0);
+        }
+    }
+}
+
 /* Its denominator at the end of the highlight has 28 bits, but where its factor is too large for that. */
 static void msh_s_quick_form_loses_no_bit_that_it_has_room_for(void **state)
 {
@@ -221,6 +234,7 @@ static void a_step_is_found_by_the_two_pixels_at_its_ends(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(cayley_is_0_from_its_end_on),
         cmocka_unit_test(quick_values_of_models_are_mostly_the_values),
         cmocka_unit_test(msh_s_quick_form_loses_no_bit_that_it_has_room_for),
         cmocka_unit_test(srgb_rises_by_no_more_than_the_first_chord_s_steps),

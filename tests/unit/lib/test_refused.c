@@ -291,11 +291,80 @@ static void meshes_of_two_formats_are_not_in_one_picture(void **state)
                      GLINT_ERR_ARG);
 }
 
+static void parts_whose_paints_have_other_lights_are_refused(void **state)
+{
+    (void)state;
+    static const int32_t viewers[][3] = {{1, 0, 1}, {0, 1, 1}, {0, 0, -1}};
+    static uint32_t depths[8000], work[4000];
+    static const int32_t side[3] = {3, 0, 4}, up[3] = {0, 3, 4};
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    struct glint_light lights[3];
+    mesh_ball(&mesh, 6, 8);
+    const uint16_t ends[] = {8, mesh.mesh.face_count};
+    mesh.mesh.ends = ends;
+    mesh.mesh.part_count = 2;
+    assert_int_equal(glint_light_directional(&lights[0], side), GLINT_OK);
+    assert_int_equal(glint_light_directional(&lights[1], up), GLINT_OK);
+    lights[2] = lights[0];
+    for (unsigned i = 0; i < 10; i++) {
+        struct glint_paint paints[2] = {paint, paint};
+        assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, sizeof depths), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paints[0], lights, i < 8 ? 1 : 2, in_front), GLINT_OK);
+        lights[2].color_q16[i % 3] = 65535;
+        assert_int_equal(i < 3    ? glint_paint_light(&paints[1], lights, 1, viewers[i])
+                         : i == 3 ? glint_paint_light(&paints[1], lights + 1, 1, in_front)
+                         : i < 7  ? glint_paint_light(&paints[1], lights + 2, 1, in_front)
+                         : i == 7 ? glint_paint_light(&paints[1], lights, 0, in_front)
+                         : i == 8 ? glint_paint_light(&paints[1], lights + 1, 2, in_front)
+                                  : glint_paint_light(&paints[1], lights, 2, in_front),
+                         GLINT_OK);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, paints, work, sizeof work),
+                         i < 9 ? GLINT_ERR_ARG : GLINT_OK);
+        lights[2].color_q16[i % 3] = 65536;
+    }
+    static const int32_t place[3] = {0, 0, 100};
+    struct glint_paint paints[2] = {paint, paint};
+    assert_int_equal(glint_light_point(&lights[2], place, 1000), GLINT_OK);
+    assert_int_equal(glint_paint_light(&paints[1], lights + 2, 1, in_front), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, paints, work, sizeof work), GLINT_ERR_ARG);
+    /* below what is drawn nothing is moved to make room for lights */
+    mesh.mesh.part_count = 0;
+    assert_int_equal(glint_paint_light(&paint, lights, 2, in_front), GLINT_OK);
+    assert_int_equal(glint_mesh_begin(&frame, 4, 8, 4, 0, depths, sizeof depths), GLINT_OK);
+    assert_int_equal(glint_mesh_strip(&frame, 0, 1, &surface), GLINT_OK);
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_ERR_ARG);
+}
+
+static void coverage_without_what_draws_it_is_refused(void **state)
+{
+    (void)state;
+    static const uint8_t coverage[4] = {0};
+    struct glint_maps soft = maps;
+    soft.coverage = coverage;
+    assert_int_equal(glint_draw_rect_by(&paint, &soft, 4, 1, &surface, NULL, NULL), GLINT_ERR_ARG);
+}
+
+static void a_light_of_no_direction_or_a_long_one_is_refused(void **state)
+{
+    (void)state;
+    struct glint_light light = look.light;
+    for (int i = 0; i < 3; i++)
+        light.direction_q30[i] = 0;
+    assert_int_equal(glint_paint_light(&paint, &light, 1, in_front), GLINT_ERR_ARG);
+    for (int i = 0; i < 3; i++)
+        light.direction_q30[i] = i < 2 ? 1 << 30 : 0;
+    assert_int_equal(glint_paint_light(&paint, &light, 1, in_front), GLINT_ERR_ARG);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(a_paint_without_material_output_or_shininess_is_not_made, set_up,
                                         nothing_drawn),
+        cmocka_unit_test_setup_teardown(parts_whose_paints_have_other_lights_are_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(coverage_without_what_draws_it_is_refused, set_up, nothing_drawn),
+        cmocka_unit_test_setup_teardown(a_light_of_no_direction_or_a_long_one_is_refused, set_up, nothing_drawn),
         cmocka_unit_test_setup_teardown(a_paint_of_zeros_or_one_that_was_never_lit_draws_nothing, set_up,
                                         nothing_drawn),
         cmocka_unit_test_setup_teardown(an_error_of_lighting_leaves_a_paint_that_was_never_lit_as_it_was, set_up,

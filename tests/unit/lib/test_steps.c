@@ -84,18 +84,18 @@ static void lights_of_another_colour_and_several_draw_as_without_steps(void **st
     static uint16_t found[PART], wanted[PART];
     static const struct glint_vec normals[3] = {{0, 0, 32767}, {20000, 0, 25953}, {0, -20000, 25953}};
     static const struct glint_maps maps = {.normals = normals, .normals_stride = sizeof normals};
-    struct look look = undithered(GLINT_RGB565, GLINT_GAMMA);
-    struct glint_paint paint, plain;
-    paint_of(&plain, &look);
-    paint = plain;
-    assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_OK);
-    for (int i = 0; i < 4; i++) {
+    for (int i = 0; i < 8; i++) {
+        struct look look = undithered(GLINT_RGB565, i & 4 ? GLINT_LINEAR : GLINT_GAMMA);
+        struct glint_paint paint, plain;
+        paint_of(&plain, &look);
+        paint = plain;
+        assert_int_equal(glint_paint_steps(&paint, steps, sizeof steps), GLINT_OK);
         struct glint_light lights[2] = {look.light, look.light};
         struct glint_surface surface = {found, sizeof found, 0, 0};
         for (int k = 0; k < 3; k++)
             lights[0].color_q16[k] = i % 2 ? 65536 : 40000;
-        assert_int_equal(glint_paint_light(&paint, lights, i < 2 ? 1 : 2, in_front), GLINT_OK);
-        assert_int_equal(glint_paint_light(&plain, lights, i < 2 ? 1 : 2, in_front), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paint, lights, i & 2 ? 2 : 1, in_front), GLINT_OK);
+        assert_int_equal(glint_paint_light(&plain, lights, i & 2 ? 2 : 1, in_front), GLINT_OK);
         assert_int_equal(glint_draw_rect(&paint, &maps, 3, 1, &surface, NULL), GLINT_OK);
         surface.pixels = wanted;
         assert_int_equal(glint_draw_rect(&plain, &maps, 3, 1, &surface, NULL), GLINT_OK);
@@ -179,6 +179,7 @@ static void steps_of_what_has_none_are_refused(void **state)
     assert_int_equal(glint_paint_steps(NULL, steps, sizeof steps), GLINT_ERR_ARG);
     assert_int_equal(glint_paint_steps(&zeros, steps, sizeof steps), GLINT_ERR_ARG);
     assert_int_equal(glint_paint_steps(&paint, NULL, sizeof steps), GLINT_ERR_ARG);
+    assert_int_equal(glint_paint_steps_for(&paint, NULL, steps, sizeof steps), GLINT_ERR_ARG);
     assert_int_equal(glint_paint_steps(&paint, (uint8_t *)steps + 1, GLINT_STEPS_BYTES), GLINT_ERR_ARG);
     assert_int_equal(glint_paint_steps(&paint, steps, GLINT_STEPS_BYTES - 1), GLINT_ERR_ARG);
     assert_int_equal(glint_paint_light(&paint, two, 2, in_front), GLINT_OK);

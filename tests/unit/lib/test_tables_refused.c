@@ -475,6 +475,8 @@ static void spans_and_palettes_refuse_what_cannot_be(void **state)
     assert_int_equal(glint_draw_palette(colours, offsets, 4, 1, 2, &none), GLINT_ERR_ARG);
     assert_int_equal(glint_draw_palette(colours, offsets, 4, 1, 2, &odd), GLINT_ERR_ARG);
     assert_int_equal(glint_draw_palette(colours, offsets, 4, 1, 2, &odd_stride), GLINT_ERR_ARG);
+    const struct glint_surface narrow = {to->pixels, 2, 0, 0};
+    assert_int_equal(glint_draw_palette(colours, offsets, 4, 2, 2, &narrow), GLINT_ERR_ARG);
     assert_untouched();
 }
 
