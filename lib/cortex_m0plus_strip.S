@@ -34,6 +34,9 @@
 #define INNER GLINT_AT_STRIP_INNER /* where there are outlines, what draws a triangle's lines; and where that returns to */
 #define RETURN (GLINT_AT_STRIP_INNER + 4)
 #define STRIP_FRAME (GLINT_AT_STRIP_INNER + 8)
+#if INNER != LATER_LAST + 4
+#error "GLINT_AT_STRIP_INNER"
+#endif
 
 /* to: the triangle of place r4. */
 .macro place_at to, free

@@ -548,9 +548,9 @@ laid_number:
     pair_of r1, r2, r5, r6, r7
     adds r3, r3, r5
     ldr r6, [sp, #STEEP_AT]
-    adds r6, #18 - 12 /* GLINT_MESH_STEEP */
+    adds r6, #18 - GLINT_MESH_STEEP
     bmi .Lsteep
-    adds r6, #12 - 1
+    adds r6, #GLINT_MESH_STEEP - 1
     subs r5, r6, r3 /* as shift_to_nearest takes it for steps */
     add r7, sp, #SLOPES
     ldmia r7!, {r3, r6}
@@ -623,7 +623,7 @@ laid_number:
     muls r0, r3
     muls r1, r3
     muls r2, r3
-    ldr r3, =1 << 20
+    ldr r3, =1 << GLINT_MESH_OVER_HALF_LOG
     adds r0, r0, r3
     movs r3, #0
     number_laid \to, \apart
@@ -911,9 +911,9 @@ albedo_lines:
     adds \vertex, \vertex, r0
     .endr
     stmia r6!, {r1-r3}
-    laid_colour 0, 254952, 0, 8
-    laid_colour 1, 518127, 4, 8
-    laid_colour 2, 254952, 24, 4
+    laid_colour 0, GLINT_MESH_OVER_RED, 0, 8
+    laid_colour 1, GLINT_MESH_OVER_GREEN, 4, 8
+    laid_colour 2, GLINT_MESH_OVER_RED, 24, 4
     b .Lis_laid
     .ltorg
 

@@ -487,7 +487,7 @@ triangle_inverses:
     ldrh r0, [r3, #4]
     ldrh r3, [r4, #4]
     ldrh r2, [r5, #4]
-    adds r1, #18 - 12
+    adds r1, #18 - GLINT_MESH_STEEP
     bmi .Lsteep
     subs r1, r3, r0
     adds r1, #1

@@ -72,13 +72,37 @@ void glint_mesh_blend_matt(const struct glint_mesh_blend *blend);
 bool glint_mesh_hide_face(const struct glint_mesh_target *strip, unsigned face);
 
 typedef char glint_outlines_layout[sizeof(struct glint_mesh_rim) == GLINT_MESH_RIM_BYTES &&
+                                           offsetof(struct glint_mesh_rim, e) == 0 &&
+                                           offsetof(struct glint_mesh_rim, step) == 4 &&
                                            offsetof(struct glint_mesh_rim, depth) == 8 &&
                                            offsetof(struct glint_mesh_rim, at) == GLINT_AT_RIM_AT &&
+                                           offsetof(struct glint_mesh_rim, end) == GLINT_AT_RIM_AT + 2 &&
                                            offsetof(struct glint_mesh_rim, is) == GLINT_AT_RIM_IS &&
+                                           offsetof(struct glint_mesh_rim, corner) == GLINT_AT_RIM_IS + 1 &&
                                            offsetof(struct glint_mesh_rim, face) == GLINT_AT_RIM_IS + 2 &&
                                            offsetof(struct glint_mesh_rim, inverse) == GLINT_MESH_RIM_BYTES - 4
                                        ? 1
                                        : -1];
+typedef char glint_edges_bits[GLINT_EDGES == 7 && GLINT_EDGES_BESIDE == 8 && GLINT_EDGES_LISTED == 128 &&
+                                      GLINT_RIM_FLAT == 1 && GLINT_RIM_GROWS == 2 && GLINT_RIM_TURNED == 4 &&
+                                      GLINT_RIM_MORE == 8 && GLINT_RIM_ENDS == 16
+                                  ? 1
+                                  : -1];
+typedef char glint_window_layout[offsetof(struct glint_mesh_window, left) == 0 &&
+                                         offsetof(struct glint_mesh_window, top) == 4 &&
+                                         offsetof(struct glint_mesh_window, right) == 8 &&
+                                         offsetof(struct glint_mesh_window, bottom) == 12
+                                     ? 1
+                                     : -1];
+#define BLEND_AT(field, word) (offsetof(struct glint_mesh_blend, field) == 4 * (word))
+typedef char glint_blend_layout[BLEND_AT(is_swapped, 0) && BLEND_AT(nl, 1) && BLEND_AT(across, 2) &&
+                                        BLEND_AT(step, 3) && BLEND_AT(dz, 4) && BLEND_AT(dnl, 5) &&
+                                        BLEND_AT(along, 6) && BLEND_AT(end, 7) && BLEND_AT(off, 8) &&
+                                        BLEND_AT(colours, 9) && BLEND_AT(dark, 10) && BLEND_AT(grows, 11) &&
+                                        BLEND_AT(z, 12) && BLEND_AT(depth, 13) && BLEND_AT(e, 14)
+                                    ? 1
+                                    : -1];
+#undef BLEND_AT
 #endif
 
 /* A pixel that the face at hand leaves out, and its depth. */
@@ -106,6 +130,10 @@ struct glint_mesh_outlines {
 typedef char glint_outlines_at[offsetof(struct glint_mesh_outlines, rest) == GLINT_AT_OUTLINES_REST &&
                                        offsetof(struct glint_mesh_outlines, hidden) == GLINT_AT_OUTLINES_REST + 2 &&
                                        offsetof(struct glint_mesh_outlines, of) == GLINT_AT_OUTLINES_DEPTHS &&
+                                       offsetof(struct glint_mesh_outlines, rims) == 0 &&
+                                       offsetof(struct glint_mesh_hidden, at) == 0 &&
+                                       offsetof(struct glint_mesh_hidden, depth) == 4 &&
+                                       sizeof(struct glint_mesh_hidden) == 8 &&
                                        offsetof(struct glint_mesh_drawn, outlines) == GLINT_AT_DRAWN_OUTLINES &&
                                        offsetof(struct glint_mesh_drawn, rims) == GLINT_AT_DRAWN_OUTLINES + 4 &&
                                        offsetof(struct glint_mesh, neighbours) == GLINT_AT_MESH_NEIGHBOURS
@@ -139,7 +167,8 @@ static inline struct glint_mesh_rim *glint_mesh_rim_after(struct glint_mesh_rim 
 {
     return rim->is & GLINT_RIM_MORE ? rim + 1 : NULL;
 }
-/* All but its depth; its lines are the picture's, too. false: it has no cell in the window, and only what it is is set. Has a twin in assembly. */
+/* All but its depth; its lines are the picture's, too. false: it has no cell in the window; of it only `is` is to be read then. Has a twin in
+ * assembly. */
 bool glint_mesh_rim_set(struct glint_mesh_rim *rim, const struct glint_mesh_drawn *drawn, unsigned face,
                         unsigned corner, const struct glint_mesh_window *window);
 

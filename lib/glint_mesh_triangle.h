@@ -5,6 +5,7 @@
 #define GLINT_MESH_TRIANGLE_H
 
 #include "glint_mesh.h"
+#include "glint_offsets.h"
 #include "glint_port.h"
 
 /* A corner of a triangle. */
@@ -68,7 +69,6 @@ struct glint_mesh_slopes {
     int32_t ux, uy, vx, vy, u, v; /* < 2^15 */
     int e;
 };
-#define GLINT_MESH_STEEP 12 /* where e is less, u or v change by 8 a pixel or more */
 void glint_mesh_slopes_set(struct glint_mesh_slopes *slopes, const struct glint_mesh_vertex *a,
                            const struct glint_mesh_vertex *b, const struct glint_mesh_vertex *c);
 

@@ -136,6 +136,10 @@
 #define GLINT_AT_MESH_UV_BITS 44
 #define GLINT_AT_MESH_NEIGHBOURS 52
 
+/* Colours of vertices over a triangle: a level of 255 in 2^-21 of RGB565's levels, and half a level of these. */
+#define GLINT_MESH_OVER_RED 254952 /* and blue */
+#define GLINT_MESH_OVER_GREEN 518127
+#define GLINT_MESH_OVER_HALF_LOG 20
 #define GLINT_MESH_SLOPED 8 /* of triangle->shine: u, v, u_x, v_x, u_y, v_y, the vertices, e - 18 are laid */
 #define GLINT_MESH_LAID_LOG 2
 #define GLINT_AT_PIXELS_NOW 8
@@ -150,6 +154,7 @@
 
 #define GLINT_SHINE_DARK 0
 #define GLINT_SHINE_MATT 1
+#define GLINT_MESH_STEEP 12     /* where slopes' e is less, u or v change by 8 a pixel or more */
 #define GLINT_MESH_GENTLE 15    /* slopes' e from which on it is asked whether t stays beyond its plane at a corner, */
 #define GLINT_MESH_MARGIN_LOG 3 /* by so much of the greatest side */
 

@@ -105,17 +105,14 @@ static void over_corner(int16_t of[3], const struct glint_mesh *mesh, unsigned f
     }
 }
 
-/* 2^21 levels of RGB565 for a level of 255, and half of one. */
-#define OVER_RED INT32_C(254952)
-#define OVER_GREEN INT32_C(518127)
-#define OVER_HALF ((int32_t)1 << 20)
+#define OVER_HALF ((int32_t)1 << GLINT_MESH_OVER_HALF_LOG)
 
 static void over_colours(struct glint_mesh_over *over, const struct glint_mesh_slopes *slopes,
                          const int16_t *const of[3])
 {
     over->count = 3;
     for (unsigned k = 0; k < 3; k++) {
-        const int32_t one = k == 1 ? OVER_GREEN : OVER_RED, first = of[0][k];
+        const int32_t one = k == 1 ? (int32_t)GLINT_MESH_OVER_GREEN : (int32_t)GLINT_MESH_OVER_RED, first = of[0][k];
         glint_mesh_linear_set(&over->of[k], slopes,
                               glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0);
         over->of[k].at += (uint32_t)(first * one + OVER_HALF);
@@ -258,7 +255,7 @@ static void laying_colours(const struct over_laying *laying, struct glint_mesh_l
     for (unsigned i = 0; i < 3; i++)
         of[i] = is_of_faces ? colours : colours + 3 * (size_t)laying->of[i];
     for (unsigned k = 0; k < 3; k++) {
-        const int32_t one = k == 1 ? OVER_GREEN : OVER_RED, first = of[0][k];
+        const int32_t one = k == 1 ? (int32_t)GLINT_MESH_OVER_GREEN : (int32_t)GLINT_MESH_OVER_RED, first = of[0][k];
         laying_number(laying, &laid->of[k < 2 ? k : GLINT_MESH_LAID_BLUE], k < 2 ? 2 : 1,
                       glint_mesh_pair_of((of[1][k] - first) * one, (of[2][k] - first) * one), 0,
                       (uint32_t)(first * one + OVER_HALF));

@@ -8,7 +8,11 @@
 
 typedef char glint_tables_geometry[(int64_t)GLINT_COLOUR_ROWS << GLINT_COLOUR_ROW_SHIFT == (int64_t)1 << 31 &&
                                            1 << GLINT_COLOUR_ROW_BYTES_LOG == 2 * GLINT_COLOUR_STEPS &&
-                                           1 << GLINT_SPAN_RUN_LOG == GLINT_SPAN_RUN && GLINT_SPAN_RUN <= 32
+                                           1 << GLINT_SPAN_RUN_LOG == GLINT_SPAN_RUN && GLINT_SPAN_RUN <= 32 &&
+                                           GLINT_DITHER_PIXELS_PART == GLINT_DITHER_ROWS << GLINT_DITHER_PIXELS_LOG &&
+                                           GLINT_DITHER_SUMS_PART == (GLINT_DITHER_ROWS - 1) << GLINT_DITHER_SUMS_LOG &&
+                                           GLINT_DITHER_SUMS == 4 * GLINT_DITHER_PIXELS_PART &&
+                                           GLINT_DITHER_SHINES == GLINT_DITHER_SUMS + 4 * GLINT_DITHER_SUMS_PART
                                        ? 1
                                        : -1];
 
@@ -49,20 +53,22 @@ typedef char glint_shine_order[GLINT_MESH_DARK == GLINT_SHINE_DARK && GLINT_MESH
 
 #if GLINT_CORTEX_M0PLUS_ASM
 #define AT(field, offset) (offsetof(struct glint_mesh_triangle, field) == (offset))
-typedef char
-    glint_triangle_layout[AT(values.x, GLINT_AT_TRIANGLE_X) && AT(values.z, GLINT_AT_TRIANGLE_Z) &&
-                                  AT(values.zx, GLINT_AT_TRIANGLE_ZX) && AT(values.zy, GLINT_AT_TRIANGLE_ZY) &&
-                                  AT(values.nl, GLINT_AT_TRIANGLE_NL) && AT(values.nlx, GLINT_AT_TRIANGLE_NLX) &&
-                                  AT(values.nly, GLINT_AT_TRIANGLE_NLY) && AT(values.t, GLINT_AT_TRIANGLE_T) &&
-                                  AT(values.tx, GLINT_AT_TRIANGLE_TX) && AT(values.txx, GLINT_AT_TRIANGLE_TXX) &&
-                                  AT(values.txy, GLINT_AT_TRIANGLE_TXY) && AT(values.ty, GLINT_AT_TRIANGLE_TY) &&
-                                  AT(values.tyy, GLINT_AT_TRIANGLE_TYY) && AT(long_edge, GLINT_AT_TRIANGLE_LONG) &&
-                                  AT(upper, GLINT_AT_TRIANGLE_LONG + 8) && AT(lower, GLINT_AT_TRIANGLE_LONG + 16) &&
-                                  AT(y, GLINT_AT_TRIANGLE_Y) && AT(y_middle, GLINT_AT_TRIANGLE_Y_MIDDLE) &&
-                                  AT(y_end, GLINT_AT_TRIANGLE_Y_END) && AT(shine, GLINT_AT_TRIANGLE_SHINE) &&
-                                  AT(long_is_left, GLINT_AT_TRIANGLE_LONG_IS_LEFT)
-                              ? 1
-                              : -1];
+typedef char glint_triangle_layout
+    [AT(values.x, GLINT_AT_TRIANGLE_X) && AT(values.z, GLINT_AT_TRIANGLE_Z) && AT(values.zx, GLINT_AT_TRIANGLE_ZX) &&
+             AT(values.zy, GLINT_AT_TRIANGLE_ZY) && AT(values.nl, GLINT_AT_TRIANGLE_NL) &&
+             AT(values.nlx, GLINT_AT_TRIANGLE_NLX) && AT(values.nly, GLINT_AT_TRIANGLE_NLY) &&
+             AT(values.t, GLINT_AT_TRIANGLE_T) && AT(values.tx, GLINT_AT_TRIANGLE_TX) &&
+             AT(values.txx, GLINT_AT_TRIANGLE_TXX) && AT(values.txy, GLINT_AT_TRIANGLE_TXY) &&
+             AT(values.ty, GLINT_AT_TRIANGLE_TY) && AT(values.tyy, GLINT_AT_TRIANGLE_TYY) &&
+             AT(long_edge, GLINT_AT_TRIANGLE_LONG) && AT(upper, GLINT_AT_TRIANGLE_LONG + 8) &&
+             AT(lower, GLINT_AT_TRIANGLE_LONG + 16) && AT(y, GLINT_AT_TRIANGLE_Y) &&
+             AT(y_middle, GLINT_AT_TRIANGLE_Y_MIDDLE) && AT(y_end, GLINT_AT_TRIANGLE_Y_END) &&
+             AT(shine, GLINT_AT_TRIANGLE_SHINE) && AT(long_is_left, GLINT_AT_TRIANGLE_LONG_IS_LEFT) &&
+             offsetof(struct glint_mesh_edge, x) == 0 && offsetof(struct glint_mesh_edge, step) == 4 &&
+             offsetof(struct glint_mesh_corner, v) == 0 && offsetof(struct glint_mesh_corner, side) == 4 &&
+             sizeof(struct glint_mesh_corner) == 8
+         ? 1
+         : -1];
 #undef AT
 #define AT(field, offset) (offsetof(struct glint_mesh_target, field) == (offset))
 typedef char glint_target_layout[AT(surface, 0) && AT(depth, 4) && AT(w, 8) && AT(y, GLINT_AT_TARGET_Y) &&
@@ -145,7 +151,8 @@ typedef char glint_pixels_layout
              AT(loop, GLINT_AT_PIXELS_DDT + 56) && 1 << GLINT_MESH_LAID_LOG == GLINT_MESH_LAID &&
              GLINT_MESH_COLOURS == 0 && GLINT_MESH_NEAREST == 1 && GLINT_MESH_SQUARE == 2 && GLINT_MESH_PALETTE == 3 &&
              GLINT_MESH_SMOOTH == 4 && sizeof(struct glint_mesh_laid) == 40 && AT(now, GLINT_AT_PIXELS_NOW) &&
-             GLINT_MESH_LAID_DOWN == 2 && GLINT_MESH_LAID_RIGHT == 4 && GLINT_MESH_LAID_BLUE == 6 &&
+             offsetof(struct glint_mesh_laid, more) == 36 && GLINT_MESH_LAID_DOWN == 2 && GLINT_MESH_LAID_RIGHT == 4 &&
+             GLINT_MESH_LAID_BLUE == 6 &&
              offsetof(struct glint_mesh_bench, copied) ==
                  offsetof(struct glint_mesh_bench, copy) + sizeof(struct glint_mesh_kept) &&
              offsetof(struct glint_mesh_bench, laid) ==
