@@ -53,21 +53,25 @@ size_t glint_mesh_frame_bytes(uint16_t w, uint16_t lines)
     return mesh_size((uint32_t)(sizeof(struct glint_mesh_bench) + FRAME_PADDING) + glint_mesh_depth_bytes(w, lines));
 }
 
-/* The last places become the work memory of lights; false where there are too few, or some may be in use. */
-static bool mesh_light(struct glint_mesh_frame *frame)
+enum { LIT_PLACES = GLINT_MESH_LIGHTS_BYTES / GLINT_MESH_KEPT_BYTES };
+
+/* Not where there are too few places, or some may be in use. */
+static bool mesh_can_light(const struct glint_mesh_frame *frame)
 {
-    enum { PLACES = GLINT_MESH_LIGHTS_BYTES / GLINT_MESH_KEPT_BYTES };
+    return frame->lit || (frame->places >= LIT_PLACES && !frame->y);
+}
+
+/* The last places become the work memory of lights. */
+static void mesh_light(struct glint_mesh_frame *frame)
+{
     if (frame->lit)
-        return true;
-    if (frame->places < PLACES || frame->y)
-        return false;
-    frame->places = (uint16_t)(frame->places - PLACES);
+        return;
+    frame->places = (uint16_t)(frame->places - LIT_PLACES);
     glint_mesh_places(frame);
     uint8_t *memory = (uint8_t *)frame->kept + (size_t)frame->places * sizeof(struct glint_mesh_kept);
     while (GLINT_MISALIGNED(memory, pointer))
         memory++;
     frame->lit = memory;
-    return true;
 }
 
 enum glint_err glint_mesh_begin(struct glint_mesh_frame *frame, uint16_t w, uint16_t h, uint16_t lines,
@@ -120,8 +124,9 @@ static bool mesh_are_alike(const struct glint_paint *a, const struct glint_paint
            a->color_q16[1] == b->color_q16[1] && a->color_q16[2] == b->color_q16[2];
 }
 
-/* Can the parts be drawn with these paints? */
-static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *mesh, const struct glint_paint *paints)
+/* Can the parts be drawn with these paints? *is_lit: they take the work memory of lights. */
+static bool mesh_can(const struct glint_mesh_frame *frame, const struct glint_mesh *mesh,
+                     const struct glint_paint *paints, bool *is_lit)
 {
     const bool coloured = mesh->of_vertices || mesh->of_faces;
     const uint8_t format = (frame->first ? frame->first->paints : paints)->output.format;
@@ -138,10 +143,9 @@ static bool mesh_can(struct glint_mesh_frame *frame, const struct glint_mesh *me
             return false;
         if (has_albedo && !mesh->use && !(coloured && glint_paint_is_exact(paint)))
             return false;
-        if (glint_mesh_is_lit(paint) && !mesh_light(frame))
-            return false;
+        *is_lit |= glint_mesh_is_lit(paint);
     }
-    return true;
+    return !*is_lit || mesh_can_light(frame);
 }
 
 /* Pixels beyond which a mesh draws none: those that its vertices lie in, and with outlines one before, as their walk rounds down by 1/16. */
@@ -184,12 +188,15 @@ enum glint_err glint_mesh_add(struct glint_mesh_frame *frame, struct glint_mesh_
                               const struct glint_mesh *mesh, const struct glint_pose *pose,
                               const struct glint_paint *paints, void *memory, size_t bytes)
 {
+    bool is_lit = false;
     if (!frame || !drawn || !mesh || !pose || !paints || !memory || GLINT_MISALIGNED(memory, 32) ||
         !mesh->vertex_count || !mesh_has_room(frame, drawn) || bytes < glint_mesh_bytes(mesh, frame->h) ||
-        !mesh_can(frame, mesh, paints))
+        !mesh_can(frame, mesh, paints, &is_lit))
         return GLINT_ERR_ARG;
     if (!glint_pose_set(drawn, pose, paints))
         return GLINT_ERR_VECTOR;
+    if (is_lit) /* once nothing is refused: it is taken for all of the picture */
+        mesh_light(frame);
     if (GLINT_FUSED && mesh->use)
         GLINT_FLASH_POINTER(mesh->use->room)(frame, mesh, paints);
     drawn->next = NULL;

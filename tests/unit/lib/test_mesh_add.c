@@ -81,11 +81,46 @@ static void faces_beyond_one_side_of_the_picture_are_in_no_list(void **state)
         }
 }
 
+/* Phong takes the last places for its work memory; here something else is wrong. */
+static void a_mesh_that_is_refused_takes_nothing_of_the_picture(void **state)
+{
+    (void)state;
+    const struct glint_output output = {GLINT_RGB888, GLINT_GAMMA, false}, other = {GLINT_GREY8, GLINT_GAMMA, false};
+    for (int wrong = 0; wrong < 3; wrong++) {
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_paint paints[2];
+        struct glint_mesh_frame frame, before;
+        struct glint_mesh_drawn drawn;
+        look.material.model = GLINT_PHONG;
+        look.material.n_across = 0;
+        for (int i = 0; i < 2; i++) {
+            assert_int_equal(glint_paint_exact(&paints[i], &look.material, i && wrong == 0 ? &other : &output),
+                             GLINT_OK);
+            assert_int_equal(glint_paint_light(&paints[i], NULL, 0, in_front), GLINT_OK);
+        }
+        mesh_ball(&mesh, 5, 7);
+        const uint16_t ends[2] = {5, mesh.mesh.face_count};
+        mesh.mesh.ends = ends;
+        mesh.mesh.part_count = 2;
+        if (wrong == 1)
+            memset(mesh.pose.turn, 0, sizeof mesh.pose.turn);
+        if (wrong == 2)
+            paints[1].light_count = UINT8_MAX; /* never lit */
+        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, mesh.distance, memory, sizeof memory),
+                         GLINT_OK);
+        memcpy(&before, &frame, sizeof frame);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, paints, work, sizeof work),
+                         wrong == 1 ? GLINT_ERR_VECTOR : GLINT_ERR_ARG);
+        assert_memory_equal(&frame, &before, sizeof frame);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_is_read_beyond_a_mesh_s_arrays),
         cmocka_unit_test(faces_beyond_one_side_of_the_picture_are_in_no_list),
+        cmocka_unit_test(a_mesh_that_is_refused_takes_nothing_of_the_picture),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
