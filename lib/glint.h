@@ -78,10 +78,10 @@ enum glint_err {
     X(GLINT_GGX, ggx, ggx, own, grained)             /* 1 / (1 + n (1 - c^2) / 2)^2; at c = 0 a step */                \
     X(GLINT_SG, sg, sg, own, plain)                  /* the spherical Gaussian, exp(-n (1 - c)) */
 
-/* GLINT_MSH = 0, ... Stored as uint8_t in structs. */
+/* GLINT_MSH = 0, ... Stored as uint8_t in structs. (The last name is the first again: C++98 takes no comma at a list's end.) */
 #define GLINT_MODEL_NUMBER(number, name, function, use, grain) number,
 #define GLINT_MODEL_ONE(number, name, function, use, grain) +1
-enum glint_model { GLINT_MODELS(GLINT_MODEL_NUMBER) };
+enum glint_model { GLINT_MODELS(GLINT_MODEL_NUMBER) GLINT_MODEL_FIRST = 0 };
 enum { GLINT_MODEL_COUNT = 0 GLINT_MODELS(GLINT_MODEL_ONE) };
 
 /* F in Q16.16, 0..67109. From c correctly rounded; from t correctly rounded, too, but for powers, Gauss and SG, which
@@ -169,7 +169,7 @@ struct glint_material {
 
 #define GLINT_FORMAT_NUMBER(number, name, bits, channels, red, green, blue) number,
 #define GLINT_FORMAT_ONE(number, name, bits, channels, red, green, blue) +1
-enum glint_format { GLINT_FORMATS(GLINT_FORMAT_NUMBER) };
+enum glint_format { GLINT_FORMATS(GLINT_FORMAT_NUMBER) GLINT_FORMAT_FIRST = 0 };
 enum { GLINT_FORMAT_COUNT = 0 GLINT_FORMATS(GLINT_FORMAT_ONE) };
 
 /* Where the sum is formed. Stored as uint8_t. */
