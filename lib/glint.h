@@ -411,8 +411,8 @@ enum glint_grain {
 };
 
 /* What each pixel has. A map that is NULL counts as 255 everywhere, albedo as the material's. Strides are in bytes, and ignored where there is
- * one line. A map may be the output itself where pixels have one size (albedo in RGB888, a byte map in GREY8): a pixel is read before it is
- * written, and what coverage blends is blended over the map's own value. Which paint takes which:
+ * one line. A map, but not the normals, may be the output itself where pixels have one size (albedo in RGB888, a byte map in GREY8): a pixel is
+ * read before it is written, and what coverage blends is blended over the map's own value. Which paint takes which:
  *
  *            normals                                       albedo                      gloss   coverage   grain   shininess
  *   exact    INT16, INT8                                   RGB888                      yes     yes        yes     without n_across

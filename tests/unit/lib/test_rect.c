@@ -229,6 +229,56 @@ static void pixels_without_coverage_keep_what_was_there_and_full_ones_are_drawn(
     }
 }
 
+/* Albedo in RGB888 and in BGR888; in GREY8 gloss, coverage, the direction of grain and shininess, by themselves or together. Under one light or two. */
+static void a_map_may_be_the_output_itself(void **state)
+{
+    (void)state;
+    enum { WIDE = 61, HIGH = 5 };
+    static struct glint_vec normals[WIDE * HIGH];
+    static uint8_t apart[3 * WIDE * HIGH], before[3 * WIDE * HIGH], same[3 * WIDE * HIGH];
+    for (int round = 0; round < 4000; round++) {
+        const bool bytewise = below(2);
+        struct look look = random_look(bytewise   ? GLINT_GREY8
+                                       : below(2) ? GLINT_RGB888
+                                                  : GLINT_BGR888,
+                                       below(2) ? GLINT_GAMMA : GLINT_LINEAR);
+        const unsigned bytes = bytewise ? 1 : 3, which = 1 + below(15);
+        const bool is_shiny = which & 8;
+        look.material.model = bytewise ? GLINT_CAYLEY : look.material.model;
+        look.material.n_across = (uint16_t)(bytewise && !is_shiny ? 1 + below(300) : 0);
+        struct glint_maps maps = {
+            .normals = normals, .normals_stride = sizeof *normals * WIDE, .albedo_format = GLINT_RGB888};
+        const ptrdiff_t stride = (ptrdiff_t)bytes * WIDE;
+        maps.albedo_stride = maps.gloss_stride = maps.coverage_stride = maps.grain_stride = maps.shininess_stride =
+            stride;
+        for (unsigned i = 0; i < WIDE * HIGH; i++)
+            normals[i] = random_normal(&look);
+        for (unsigned i = 0; i < sizeof same; i++)
+            same[i] = apart[i] = before[i] = (uint8_t)below(256);
+        struct glint_maps in_place = maps;
+        const uint8_t *const of[2] = {before, same};
+        for (int k = 0; k < 2; k++) {
+            struct glint_maps *const to = k ? &in_place : &maps;
+            to->albedo = bytewise ? NULL : of[k];
+            to->gloss = bytewise && which & 1 ? of[k] : NULL;
+            to->coverage = bytewise && which & 2 ? of[k] : NULL;
+            to->grain = bytewise && which & 4 && !is_shiny ? of[k] : NULL;
+            to->shininess = bytewise && is_shiny ? of[k] : NULL;
+        }
+        const struct glint_light lights[2] = {look.light, look.light};
+        const struct glint_surface target = {apart, stride, 3, 2}, over = {same, stride, 3, 2};
+        const unsigned count = 1 + below(2);
+        struct glint_paint paint;
+        struct glint_box box, same_box;
+        assert_int_equal(glint_paint_exact(&paint, &look.material, &look.output), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paint, lights, count, look.to_viewer), GLINT_OK);
+        assert_int_equal(glint_draw_rect(&paint, &maps, WIDE, HIGH, &target, &box), GLINT_OK);
+        assert_int_equal(glint_draw_rect(&paint, &in_place, WIDE, HIGH, &over, &same_box), GLINT_OK);
+        assert_memory_equal(same, apart, sizeof same);
+        assert_memory_equal(&same_box, &box, sizeof box);
+    }
+}
+
 static void a_span_is_the_rectangle_sequence_at_its_own_t(void **state)
 {
     (void)state;
@@ -381,6 +431,7 @@ int main(void)
         cmocka_unit_test(a_shininess_beyond_1000_counts_as_1000),
         cmocka_unit_test(linear_pixels_are_within_a_twentieth_of_a_level_of_the_real_sum),
         cmocka_unit_test(pixels_without_coverage_keep_what_was_there_and_full_ones_are_drawn),
+        cmocka_unit_test(a_map_may_be_the_output_itself),
         cmocka_unit_test(a_span_is_the_rectangle_sequence_at_its_own_t),
         cmocka_unit_test(a_span_whose_t_dips_below_zero_shows_the_peak_there),
         cmocka_unit_test(t_a_little_below_0_is_0_and_nothing_shines_in_the_dark),
