@@ -92,8 +92,8 @@ HOST_ARCHIVES = $(BUILD)/libhost.a $(BUILD)/libglint.a
 # Sub-makes use all cores unless the caller's make decides. (Their recipes begin with +: make does not see $(MAKE) in it.)
 PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
 SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
-# Instead of the + where a recipe does more than that: make -n prints it.
-PLUS = $(if $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS)))),,+)
+# Instead of the + where a recipe does more than that: make -n, -q and -t, which run nothing, do not run it.
+PLUS = $(if $(strip $(foreach flag,n q t,$(findstring $(flag),$(filter-out -%,$(firstword $(MAKEFLAGS)))))),,+)
 
 # Debian packages of each set-up goal: NAME_PACKAGES is the one place of that fact; `make packages` prints them all.
 BUILD_PACKAGES = gcc libc6-dev make pkg-config libpng-dev libjansson-dev liblz4-dev libusb-1.0-0-dev \
