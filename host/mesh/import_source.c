@@ -4,6 +4,7 @@
 #if GLINT_WITH_MESH
 #include <ctype.h>
 #include <errno.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -32,21 +33,30 @@ static const char *ending_of(const char *path)
          path);
 }
 
+/* Of UTF-8 the mark of 3 bytes, else 0. What is in UTF-16, as some shells write what is sent into a file, none of the readers takes for text. */
+static size_t mark_len(const char *name, const char *bytes, size_t len)
+{
+    const bool is_low = len >= 4 && memcmp(bytes, "\xFF\xFE", 2) == 0 && bytes[2] && !bytes[3];
+    if (is_low || (len >= 4 && memcmp(bytes, "\xFE\xFF", 2) == 0 && !bytes[2] && bytes[3]))
+        fail("%s: is text in UTF-16; save it as UTF-8", name);
+    return len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
+
 /* For what does not begin as its name says libassimp looks among all its readers, and no check of ours fits these. STL and PLY have one reader each, by
  * name. */
 static void check_beginning(const char *path, const char *ending)
 {
     char bytes[256] = "";
-    FILE *file = ending == gltf || ending == glb ? fopen(path, "rb") : NULL;
+    FILE *file = fopen(path, "rb");
     if (!file)
         return; /* or the child says why it cannot be opened */
-    const char *at = bytes, *const end = bytes + fread(bytes, 1, sizeof bytes, file);
+    const size_t len = fread(bytes, 1, sizeof bytes, file);
+    const char *at = bytes, *const end = bytes + len;
     fclose(file);
-    if (memcmp(bytes, "\xEF\xBB\xBF", 3) == 0) /* of UTF-8 */
-        at += 3;
+    at += mark_len(path, bytes, len);
     while (at < end && isspace((unsigned char)*at))
         at++;
-    if (ending == gltf ? at == end || *at != '{' : memcmp(bytes, "glTF", 4) != 0)
+    if ((ending == gltf && (at == end || *at != '{')) || (ending == glb && memcmp(bytes, "glTF", 4) != 0))
         fail("%s: does not begin as a %s does; give it the ending of its format", path, ending);
 }
 
@@ -106,19 +116,22 @@ static bool has_line(const struct import_source *source, const char *word)
 /* By what each format's files begin with; an OBJ may begin with anything, but has a line of a vertex. */
 static const char *ending_by_bytes(const struct import_source *source)
 {
-    const char *at = source->bytes;
+    const char *at = source->bytes, *const end = at + source->len;
     const size_t len = source->len;
     if (len >= 4 && memcmp(at, "glTF", 4) == 0)
         return glb;
     if (len >= 4 && memcmp(at, "ply", 3) == 0 && isspace((unsigned char)at[3]))
         return ply;
-    if (stl_binary_len(at, len) == len || (has_line(source, "facet") && has_line(source, "vertex")))
+    if (stl_binary_len(at, len) == len)
         return stl;
-    if (memchr(at, 0, len) == NULL) {
-        size_t blanks = 0;
-        while (blanks < len && isspace((unsigned char)at[blanks]))
-            blanks++;
-        if (blanks < len && at[blanks] == '{')
+    at += mark_len(source->name, at, len);
+    while (at < end && isspace((unsigned char)*at))
+        at++;
+    const bool is_solid = end - at > 5 && strncasecmp(at, "solid", 5) == 0 && isspace((unsigned char)at[5]);
+    if (is_solid || (has_line(source, "facet") && has_line(source, "vertex")))
+        return stl;
+    if (memchr(source->bytes, 0, len) == NULL) {
+        if (at < end && *at == '{')
             return gltf;
         if (has_line(source, "v"))
             return obj;

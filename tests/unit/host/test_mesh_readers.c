@@ -17,6 +17,12 @@ static void assert_same_mesh(const char *from, const char *made)
     assert_quiet(line);
 }
 
+/* The same of what assert_same_mesh made. */
+static void assert_same_piped(void)
+{
+    assert_quiet("cat made.${from##*.} | $GLINT bake --mesh - --as raw -o made.bin >report && cmp wanted.bin made.bin");
+}
+
 /* ---- PLY ---- */
 
 #define PLY_VERTICES "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
@@ -188,6 +194,8 @@ static void a_text_stl_without_its_end_is_refused_wherever_it_is_cut(void **stat
         char made[200];
         snprintf(made, sizeof made, "sed '%s' a.stl >made.stl && ! cmp -s a.stl made.stl", whole[i]);
         assert_same_mesh("a.stl", made);
+        if (strstr(whole[i], "$!ba"))
+            assert_same_piped(); /* no line begins with a word of a facet */
     }
     const size_t ends[] = {(size_t)(strstr(text, "endsolid a") - text), strlen(text) - 2};
     for (size_t cut = 9; cut < ends[1]; cut += 9) {
@@ -252,6 +260,37 @@ static void a_gltf_that_begins_as_another_format_is_refused(void **state)
         snprintf(wanted, sizeof wanted, "b.%s: does not begin as a .%s does", endings[i % 2], endings[i % 2]);
         assert_fails(line, wanted);
     }
+}
+
+static void a_mesh_that_is_text_in_utf_16_is_said_to_be(void **state)
+{
+    (void)state;
+    static const char *const endings[] = {"obj", "stl", "ply", "gltf"}, *const ways[] = {"utf16.%s", "- <utf16.%s"},
+                             *const encodings[] = {"UTF-16", "UTF-16BE"};
+    write_text("a.gltf", "{\"asset\":{\"version\":\"2.0\"}}");
+    write_text("a.ply", PLY_VERTICES PLY_FACES "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n");
+    for (size_t i = 0; i < 16; i++) {
+        char name[20], line[200];
+        snprintf(name, sizeof name, ways[i / 4 % 2], endings[i % 4]);
+        snprintf(line, sizeof line,
+                 "{ printf '%s'; iconv -f UTF-8 -t %s a.%s; } >utf16.%s && $GLINT bake --mesh %s -o no.c",
+                 i / 8 ? "\\376\\377" : "", encodings[i / 8], endings[i % 4], endings[i % 4], name);
+        assert_fails(line, "is text in UTF-16; save it as UTF-8");
+    }
+}
+
+static void a_mark_of_utf_8_may_stand_before_a_mesh(void **state)
+{
+    (void)state;
+    write_text(
+        "b.gltf",
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0}}]}],\"accessors\":[{\"bufferView\":0,"
+        "\"componentType\":5126,\"count\":3,\"type\":\"VEC3\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}],"
+        "\"buffers\":[{\"byteLength\":36,\"uri\":\"data:;base64,AAAAAAAAAAAAAAAAAAAAQAAAAAAAAAAAAAAAAAAAgD8AAAAA\"}]}");
+    assert_same_mesh("b.gltf", "{ printf '\\357\\273\\277'; cat b.gltf; } >made.gltf");
+    assert_same_piped();
+    assert_same_mesh("a.obj", "{ printf '\\357\\273\\277'; cat a.obj; } >made.obj");
 }
 
 /* ---- OBJ ---- */
@@ -469,6 +508,8 @@ int main(void)
         cmocka_unit_test(a_binary_stl_may_have_bytes_behind_its_facets),
         cmocka_unit_test(a_binary_stl_without_facets_or_with_other_bytes_than_its_head_says_is_refused),
         cmocka_unit_test(a_gltf_that_begins_as_another_format_is_refused),
+        cmocka_unit_test(a_mesh_that_is_text_in_utf_16_is_said_to_be),
+        cmocka_unit_test(a_mark_of_utf_8_may_stand_before_a_mesh),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
         cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
