@@ -37,6 +37,7 @@ enum key {
 enum { Q_UNSET = 255 };
 
 static const struct shading_options shading_options_default = {
+    .roughness = NAN,
     .shading = {.model = GLINT_MSH,
                 .q = Q_UNSET,
                 .view = {0, 0, 1},
@@ -121,13 +122,13 @@ static void parse_color(const struct argp_state *state, const char *text, struct
     options->has_color = true;
 }
 
-static unsigned parse_roughness(const struct argp_state *state, const char *text)
+/* Once all options are read: an error stands alone, and -n may have come after it. */
+static void say_roughness(const struct shading_options *options)
 {
-    const double roughness = parse_real(state, "--roughness", text, 0, 1), n = shininess_of_roughness(roughness);
-    const unsigned held = shininess_held(n);
-    if (fabs(held - n) > 0.5)
-        warn("--roughness %g: n = %.0f is beyond 1..%u; drawn with %u", roughness, n, GLINT_N_MAX, held);
-    return held;
+    const double n = shininess_of_roughness(options->roughness);
+    if (fabs(options->shading.n - n) > 0.5) /* of NaN false */
+        warn("--roughness %g: n = %.0f is beyond 1..%u; drawn with %u", options->roughness, n, GLINT_N_MAX,
+             options->shading.n);
 }
 
 static void parse_view(const struct argp_state *state, const char *text, double view[3])
@@ -139,12 +140,6 @@ static void parse_view(const struct argp_state *state, const char *text, double 
 static error_t parse_shading(int key, char *text, const struct argp_state *state, struct shading *shading)
 {
     switch (key) {
-    case 'n':
-        shading->n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
-        return 0;
-    case KEY_ROUGHNESS:
-        shading->n = parse_roughness(state, text);
-        return 0;
     case KEY_ACROSS:
         shading->n_across = (unsigned)parse_integer(state, "--across", text, 1, GLINT_N_MAX);
         return 0;
@@ -239,6 +234,14 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         *o = shading_options_default;
         state->child_inputs[0] = &o->scene;
         return 0;
+    case 'n':
+        o->shading.n = (unsigned)parse_integer(state, "-n", text, 1, GLINT_N_MAX);
+        o->roughness = NAN;
+        return 0;
+    case KEY_ROUGHNESS:
+        o->roughness = parse_real(state, "--roughness", text, 0, 1);
+        o->shading.n = shininess_held(shininess_of_roughness(o->roughness));
+        return 0;
     case KEY_MATERIAL:
         o->material = parse_choice(state, "--material", "material", text, preset_names);
         o->has_material = true;
@@ -261,6 +264,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
             take_material(o, &preset);
         }
         check_lamps(state, &o->shading);
+        say_roughness(o);
         return 0;
     default:
         return parse_shading(key, text, state, &o->shading);

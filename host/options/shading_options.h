@@ -19,6 +19,7 @@ struct shading_options {
     bool has_view;
     bool has_light;         /* of any kind; otherwise the default one */
     bool has_format;        /* otherwise RGB888, or the device's */
+    double roughness;       /* what -n is made from; NAN: nothing */
     struct shading shading; /* with gaps, which shading_of_options fills */
 };
 

@@ -124,6 +124,8 @@ static void roughness_is_the_shininess_of_gltf(void **state)
         assert_int_equal(strstr(made->err, "is beyond 1..1000") != NULL, wanted[i].says);
     }
     assert_int_equal(run("$GLINT material --roughness 1.1")->status, 2);
+    assert_refused("$GLINT material --roughness .05 --material nope", "unknown material 'nope'");
+    assert_quiet("$GLINT material --roughness .05 -n 60 --json | grep -q '\"n\": 60,'");
 }
 
 static int lines_with(const char *text, const char *start)
