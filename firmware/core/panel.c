@@ -279,9 +279,12 @@ static bool send_commands(const struct panel *panel, const uint8_t *bytes, size_
 }
 
 /* The order and values of the maker's application note for 128x64 with a charge pump; precharge and deselect level as drivers in wide
- * use have them for it. Modules hang such that column 0 is the last segment, and rows run from the last. */
+ * use have them for it. Modules hang such that column 0 is the last segment, and rows run from the last. Glass of 72x40 has no resistor
+ * that sets the current of its segments: without the last command it is all but dark (u8g2 and MicroPython send it; SSD1306s that do not
+ * know it ignore it). */
 static bool start_paged(const struct panel *panel)
 {
+    static const uint8_t own_current[] = {PANEL_PAGED_CURRENT, 0x30};
     const bool turned = panel->rotation == 2;
     const uint8_t bytes[] = {PANEL_PAGED_OFF,
                              PANEL_PAGED_CLOCK,
@@ -307,7 +310,8 @@ static bool start_paged(const struct panel *panel)
                              0,
                              PANEL_PAGED_PUMP,
                              0x14};
-    return send_commands(panel, bytes, sizeof bytes);
+    return send_commands(panel, bytes, sizeof bytes) &&
+           (panel->width != 72 || send_commands(panel, own_current, sizeof own_current));
 }
 
 /* The glass around a picture in its middle; of others nothing. */

@@ -68,6 +68,7 @@ enum panel_paged_command {
     PANEL_PAGED_FROM_MEMORY = 0xa4,
     PANEL_PAGED_NORMAL = 0xa6,   /* 0xa7: a 1 is dark */
     PANEL_PAGED_ROWS_ARE = 0xa8, /* a byte: the number of rows, less 1 */
+    PANEL_PAGED_CURRENT = 0xad,  /* a byte: 0x30: the segments' current is its own; in the SSD1315's data sheet alone */
     PANEL_PAGED_OFF = 0xae,
     PANEL_PAGED_ON = 0xaf,
     PANEL_PAGED_SCAN = 0xc0,      /* 0xc8: from the last row */

@@ -62,6 +62,7 @@ static unsigned paged_parameters(uint8_t command)
     case PANEL_PAGED_CONTRAST:
     case PANEL_PAGED_PUMP:
     case PANEL_PAGED_ROWS_ARE:
+    case PANEL_PAGED_CURRENT:
     case PANEL_PAGED_OFFSET:
     case PANEL_PAGED_CLOCK:
     case PANEL_PAGED_PRECHARGE:

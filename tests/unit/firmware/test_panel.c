@@ -558,6 +558,22 @@ static void an_ssd1306_of_32_rows_has_their_pins_and_one_that_is_inverted_is_tol
     assert_true(place_of(COMMAND, 0xa6) > place_of(COMMAND, 0xa4));
 }
 
+/* The glass of 72x40 has no resistor that sets its current. */
+static void an_ssd1306_sets_its_current_by_itself_on_glass_of_72x40_alone(void **state)
+{
+    (void)state;
+    static const unsigned sizes[][2] = {{128, 64}, {128, 32}, {72, 40}, {64, 48}};
+    for (unsigned i = 0; i < 8; i++) {
+        const unsigned width = sizes[i / 2][0];
+        const struct panel panel = made(&bus, PANEL_SSD1306, i % 2 * 2, width, sizes[i / 2][1]);
+        unsigned found = 0;
+        assert_true(panel_start(&panel));
+        for (size_t at = 0; at + 1 < happenings; at++)
+            found += record[at].kind == COMMAND && record[at].value == 0xad && record[at + 1].value == 0x30;
+        assert_int_equal(found, width == 72);
+    }
+}
+
 static void an_ssd1306_takes_whole_pages_and_half_turns_alone(void **state)
 {
     (void)state;
@@ -675,6 +691,7 @@ int main(void)
         cmocka_unit_test(a_bus_that_fails_in_any_page_fails_the_pages),
         cmocka_unit_test(an_ssd1306_gets_its_addresses_as_commands_and_its_pixels_in_pages),
         cmocka_unit_test(an_ssd1306_of_32_rows_has_their_pins_and_one_that_is_inverted_is_told),
+        cmocka_unit_test(an_ssd1306_sets_its_current_by_itself_on_glass_of_72x40_alone),
         cmocka_unit_test(an_ssd1306_takes_whole_pages_and_half_turns_alone),
         cmocka_unit_test(windows_beyond_the_picture_are_refused_and_send_nothing),
         cmocka_unit_test(a_panel_that_is_unknown_or_does_not_fit_is_refused),
