@@ -9,8 +9,9 @@
  *   bus     -> gud_device_reset, _suspend, _resume
  *
  * One thread at a time. A rectangle that ends early (the host gave up, the bus was reset) leaves its other lines as they
- * were; the next GUD_SET_BUFFER starts a new one, of whole frames the next commit. Bytes that no rectangle expects are dropped. A wrong LZ4 block draws what came
- * before the fault. Both leave GUD_PROTOCOL or GUD_ERROR as the status until the next request. */
+ * were; the next GUD_SET_BUFFER starts a new one, of whole frames the next commit. Bytes that no rectangle expects are dropped, and whole frames
+ * that begin while the board is busy. A wrong LZ4 block draws what came before the fault. These leave GUD_PROTOCOL, GUD_BUSY or GUD_ERROR
+ * as the status until the next request. */
 #ifndef GUD_DEVICE_H
 #define GUD_DEVICE_H
 
@@ -27,7 +28,7 @@ struct gud_device_ops {
     void (*end)(void *context, bool whole);
     /* Brightness is 0..100 as the eye sees it, and 0 is not dark; the picture stays. NULL: nothing to switch. */
     void (*display)(void *context, bool on, uint8_t brightness);
-    /* Rectangles are refused with GUD_BUSY while it returns true. NULL: never. */
+    /* Rectangles are refused with GUD_BUSY while it returns true; whole frames that nothing announces are dropped. NULL: never. */
     bool (*busy)(void *context);
 };
 

@@ -78,6 +78,7 @@ enum gud_status gud_rectangle_open(struct gud_device *d, const uint8_t *data)
         return GUD_PARAMETER;
     if (c->ops->busy && c->ops->busy(c->context))
         return GUD_BUSY;
+    gud_rectangle_close(d); /* a whole picture may have begun between the request and its data */
     begin(d, &r);
     d->open = true;
     if (d->compressed)
@@ -140,6 +141,8 @@ enum gud_status gud_rectangle_bulk(struct gud_device *d, const uint8_t *bytes, s
             take(d, run, length);
     } else if (d->open) {
         take(d, bytes, count);
+    } else {
+        status = GUD_BUSY;
     }
     if (d->bulk_left)
         return status;

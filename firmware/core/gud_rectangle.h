@@ -14,7 +14,7 @@ enum gud_status gud_rectangle_open(struct gud_device *device, const uint8_t *dat
  * the board is busy its bytes are dropped. */
 void gud_rectangle_open_whole(struct gud_device *device);
 /* Bulk bytes; those that no rectangle expects are dropped. GUD_PROTOCOL: there were such bytes. GUD_ERROR: the LZ4 block was
- * wrong. */
+ * wrong. GUD_BUSY: they are of a picture that began while the board was busy. */
 enum gud_status gud_rectangle_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);
 /* Ends an open rectangle, complete or not. Bytes of it that are still to come will be dropped. */
 void gud_rectangle_close(struct gud_device *device);

@@ -15,7 +15,7 @@ static struct board {
     struct gud_device_config config;
     struct glint_box box;
     unsigned row;
-    bool open, busy;
+    bool open, busy, has_bulk_within; /* before a request's data */
     const uint8_t *last;
 } board;
 
@@ -119,6 +119,8 @@ static void request(const struct gud_setup *setup, struct input *input)
         check(length == setup->length && length <= GUD_DATA_BYTES);
         size_t count = (size_t)length;
         uint8_t *const data = next_bytes(input, &count);
+        if (board.has_bulk_within)
+            gud_device_bulk(&board.device, (const uint8_t *)"within", 6);
         if (count == (size_t)length) {
             const bool good = gud_device_set(&board.device, setup, data);
             check(good == (status() == GUD_OK));
@@ -148,6 +150,8 @@ static void proper_rectangle(struct input *input, bool compressed)
     uint8_t data[GUD_RECTANGLE_BYTES];
     struct gud_rectangle r = {
         .x = next_byte(input), .y = next_byte(input), .width = next_byte(input), .height = next_byte(input)};
+    if (board.config.whole_frames && r.width == 0) /* no other size is taken */
+        r = (struct gud_rectangle){.width = board.config.width, .height = board.config.height};
     const uint8_t format = board.device.committed.format;
     r.length = (uint32_t)gud_line_bytes((enum gud_format)format, r.width) * r.height;
     r.compression = compressed;
@@ -193,12 +197,16 @@ static void step(struct input *input)
             gud_device_reset(&board.device);
         else if (what / 8 % 4 == 1)
             gud_device_suspend(&board.device);
-        else
+        else if (what / 8 % 4 == 2)
             gud_device_resume(&board.device);
+        else
+            gud_device_restart(&board.device);
         check(what / 8 % 4 || !board.open);
+        check(what / 8 % 4 < 3 || !board.config.whole_frames || !board.open);
         break;
     default:
         board.busy = what / 8 % 2;
+        board.has_bulk_within = what / 16 % 2;
     }
 }
 

@@ -115,6 +115,7 @@ static void a_device_that_takes_whole_frames_alone_needs_no_request_for_each(voi
     board.busy = false;
     send(bytes + 50, sizeof bytes - 50, true);
     assert_int_equal(board.windows, 3);
+    assert_int_equal(status(), GUD_BUSY); /* and a host that asks is told */
     send(bytes, 50, false);
     assert_int_equal(board.windows, 4);
     go(GUD_RGB565); /* a commit ends what was cut short */
@@ -148,6 +149,24 @@ static void a_board_that_is_never_busy_takes_each_whole_frame(void **state)
     go(GUD_RGB565);
     send(bytes, sizeof bytes, false);
     assert_true(board.windows == 1 && board.whole == 1);
+}
+
+static void a_frame_that_begins_within_an_announcement_is_ended_before_the_announced_one(void **state)
+{
+    (void)state;
+    uint8_t bytes[2 * WIDTH * HEIGHT], data[GUD_RECTANGLE_BYTES];
+    const struct gud_setup setup = {GUD_TYPE_OUT, GUD_SET_BUFFER, 0, INTERFACE, sizeof data};
+    gud_rectangle_pack(data, &(struct gud_rectangle){0, 0, WIDTH, HEIGHT, sizeof bytes, 0, 0});
+    take_whole_frames();
+    go(GUD_RGB565);
+    fill_random(bytes, sizeof bytes);
+    assert_int_equal(gud_device_setup(&board.device, &setup, reply), sizeof data);
+    send(bytes, 50, false); /* between the request and its data */
+    assert_int_equal(board.windows, 1);
+    assert_true(gud_device_set(&board.device, &setup, data));
+    assert_true(board.windows == 2 && board.ends == 1 && board.whole == 0);
+    send(bytes, sizeof bytes, true);
+    assert_true(board.ends == 2 && board.whole == 1 && gud_device_expects(&board.device) == 0);
 }
 
 /* Linux announces the frame that follows one that failed. */
@@ -394,6 +413,7 @@ int main(void)
         DEVICE_TEST(a_device_that_takes_whole_frames_alone_needs_no_request_for_each),
         DEVICE_TEST(no_frame_begins_without_a_byte_a_mode_or_a_display_that_is_on),
         DEVICE_TEST(a_board_that_is_never_busy_takes_each_whole_frame),
+        DEVICE_TEST(a_frame_that_begins_within_an_announcement_is_ended_before_the_announced_one),
         DEVICE_TEST(a_device_of_whole_frames_takes_an_announcement_of_a_whole_one),
         DEVICE_TEST(a_restart_of_the_bulk_data_ends_a_frame_that_nothing_announced),
         DEVICE_TEST(any_pieces_raw_or_compressed_draw_the_same),
