@@ -168,6 +168,12 @@ run([
     check(host.clear_halt(1) && !host.is_halted(1), 'the halt is not ended')
     draws({ x: 5, y: 20, width: 60, height: 30 }, picture565(60, 30, 64), undefined, 'the rectangle after a halt')
   }],
+  ['a host that chooses the interface\'s setting once more goes on with the next packet', () => {
+    for (const [i, packets] of [3, 2, 1].entries()) {
+      check(host.set_interface(0, 1), 'SET_INTERFACE is refused')
+      draws({ x: 10 + i, y: 50, width: 32, height: packets }, picture565(32, packets, 70 + i), undefined, `${packets} packets`)
+    }
+  }],
   ['a wrong LZ4 block is reported by the status and stays within its rectangle', () => {
     const rectangle = { x: 60, y: 60, width: 20, height: 20 }
     check(gud.buffer({ ...rectangle, length: 800, compressed: 40 }), 'the rectangle')

@@ -108,6 +108,11 @@ export class UsbHost {
   // Halts a bulk endpoint, as hosts do in tests only; and ends its halt, as they do after a STALL or a transfer that they gave up.
   halt(endpoint) { return this.control(0x02, 3, 0, endpoint, Buffer.alloc(0)) !== null }
   clear_halt(endpoint) { return this.control(0x02, 1, 0, endpoint, Buffer.alloc(0)) !== null }
+  // Its only setting, once more.
+  set_interface(number, endpoint) {
+    this.next.delete(endpoint)
+    return this.control(0x01, 11, 0, number, Buffer.alloc(0)) !== null
+  }
   is_halted(endpoint) { return this.control(0x82, 0, 0, endpoint, 2)[0] === 1 }
   // Bulk OUT; returns when the device took all.
   bulk(endpoint, bytes, ms = 1000) {

@@ -73,15 +73,19 @@ static void halt(uint8_t port, struct bulk *b, bool halts)
     b->is_armed = false;
 }
 
-/* Vendor requests do not come this way. Those to an endpoint are acknowledged whatever is returned. */
+/* Vendor requests do not come this way. Those to an endpoint are acknowledged whatever is returned, and so is SET_INTERFACE, which ends a
+ * halt, too: after it hosts count packets anew (USB 2.0, 9.1.1.5), although there is one setting alone. */
 static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *what)
 {
-    const bool is_halt = what->bmRequestType_bit.type == TUSB_REQ_TYPE_STANDARD &&
-                         what->bmRequestType_bit.recipient == TUSB_REQ_RCPT_ENDPOINT &&
+    const bool is_standard = what->bmRequestType_bit.type == TUSB_REQ_TYPE_STANDARD && stage == CONTROL_STAGE_SETUP;
+    const unsigned recipient = what->bmRequestType_bit.recipient;
+    const bool is_halt = is_standard && recipient == TUSB_REQ_RCPT_ENDPOINT &&
                          (what->bRequest == TUSB_REQ_SET_FEATURE || what->bRequest == TUSB_REQ_CLEAR_FEATURE) &&
                          what->wValue == TUSB_REQ_FEATURE_EDPT_HALT;
-    for (unsigned i = 0; i < USB_INTERFACES && is_halt && stage == CONTROL_STAGE_SETUP; i++)
-        if (bulk[i].endpoint && bulk[i].endpoint == what->wIndex) {
+    const bool is_choice =
+        is_standard && recipient == TUSB_REQ_RCPT_INTERFACE && what->bRequest == TUSB_REQ_SET_INTERFACE;
+    for (unsigned i = 0; i < USB_INTERFACES; i++)
+        if (bulk[i].endpoint && (is_halt ? bulk[i].endpoint == what->wIndex : is_choice && i == what->wIndex)) {
             halt(port, &bulk[i], what->bRequest == TUSB_REQ_SET_FEATURE);
             ops->restart((enum usb_interface)i);
         }
