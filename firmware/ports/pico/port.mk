@@ -70,7 +70,8 @@ PICO_MESH_RAM = 12288
 # On an AMOLED panel in its middle, or the whole of it, whose strips of two cores would take all RAM.
 PICO_AMOLED_MESHES = $(if $(PICO_QSPI),$(if $(filter arm,$(ARCH)),$(foreach chip,rp2040 rp2350,$(chip).240x240.0.glint $(if $(filter 0,$(SECOND_CORE)),$(chip).466x466.0.glint))))
 PICO_FREE_PINS = $(filter-out $(if $(PICO_HAS_IMU),$(call pico_fact,14) $(call pico_fact,15)),1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28)
-PICO = build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(patsubst %,-te%,$(firstword $(TE)))$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing)
+# Of choices that are refused, too, it is one word.
+PICO = $(subst $(BLANK),_,build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(patsubst %,-te%,$(firstword $(TE)))$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing))
 PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
 PICO_SIZE = $(if $(PICO_TURNED),$(lastword $(PICO_SIDES))x$(firstword $(PICO_SIDES)),$(lastword $(subst -, ,$(PANEL))))
 
@@ -82,6 +83,8 @@ setup-firmware-pico: setup-build
 
 # Before anything is made of them.
 have-pico-choices:
+	@$(foreach choice,BOARD ARCH PANEL ROTATE DEMO IMAGE,$(if $(word 2,$($(choice))),echo "make: $(choice)=$($(choice)): say one" >&2; exit 1;))
+	@$(if $(filter glint conformance,$(IMAGE)),,echo "make: IMAGE=$(IMAGE): the images are glint and conformance" >&2; exit 1)
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(or $(filter arm,$(ARCH)),$(filter riscv-rp2350,$(ARCH)-$(PICO_CHIP))),,echo "make: ARCH=$(ARCH): is arm, or on a board with an RP2350 riscv" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
@@ -90,7 +93,8 @@ have-pico-choices:
 	@$(if $(filter x0 x1,x$(subst $(BLANK),_,$(SECOND_CORE))),,echo "make: SECOND_CORE=$(SECOND_CORE): say 0 or 1" >&2; exit 1)
 	@$(if $(PICO_QSPI)$(filter co5300-%,$(call pico_fact,4)),$(if $(and $(PICO_QSPI),$(filter co5300-%,$(call pico_fact,4)),$(filter 0,$(ROTATE)),$(if $(TE),,1)),,echo "make: PANEL=$(PANEL)$(COMMA) BOARD=$(PICO_BOARD): AMOLED panels (co5300) are for the boards that have one$(COMMA) which take no others; leave ROTATE and TE out" >&2; exit 1))
 	@$(if $(filter 11,$(SECOND_CORE)$(PICO_EXACT)),echo "make: PATH=exact: draws with one core; leave SECOND_CORE=1 out" >&2; exit 1)
-	@$(if $(filter-out https://% http://localhost http://localhost/% http://localhost:%,$(LANDING_PAGE)),echo "make: LANDING_PAGE=$(LANDING_PAGE): browsers take https://... or http://localhost..." >&2; exit 1)
+	@case "$$LANDING_PAGE" in '') ;; *[!A-Za-z0-9._~:/?%=\&+,@-]*) false ;; https://?* | http://localhost | http://localhost[:/]*) [ $${#LANDING_PAGE} -le 252 ] ;; *) false ;; esac || \
+		{ printf 'make: LANDING_PAGE=%s: browsers take https://... or http://localhost..., this one of at most 252 letters, digits and ._~:/?%%=&+,@-\n' "$$LANDING_PAGE" >&2; exit 1; }
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
 	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint $(PICO_AMOLED_MESHES),$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for an RP2040 with a panel of 240x240$(COMMA) or an AMOLED panel$(COMMA) whole with one core; leave TE, PATH and IMAGE out" >&2; exit 1))
 	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
