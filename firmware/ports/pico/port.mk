@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: MIT
 # The Raspberry Pi Pico with a panel, or a board that has one: make firmware PORT=pico [BOARD=pico [ARCH=riscv]] [PANEL=st7789-240x240] [ROTATE=90] [TE=21] [SECOND_CORE=1] [PATH=exact] [DEMO=teapot] [HEIGHT=FILE [BEVEL=8]] [MESH=FILE [SPLIT=30] [AXES=NAME]] [LANDING_PAGE=https://...] [IMAGE=conformance]
-# Boards and panels are rows of tables; this prints the column N of those that begin with WORD.
-pico_rows = $(shell sed -n 's/^$(2)(\(.*\))$$/\1/p' $(1) | awk -F ', *' '$(3)')
-PICO_BOARDS_DEF = firmware/ports/pico/boards.def
-pico_BOARDS := $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,{ print $$1 })
+# Boards and panels are rows of tables; of each board a word, read once, since a program for each question would take seconds an image.
+COMMA := ,
+BLANK := $() $()
+PICO_ROWS := $(shell sed -n 's/^BOARD(\(.*\))$$/\1/; T; s/, */,/g; p' firmware/ports/pico/boards.def)
+# The columns of one board.
+pico_columns = $(subst $(COMMA), ,$(filter $(subst $(BLANK),_,$(1))$(COMMA)%,$(PICO_ROWS)))
+pico_BOARDS := $(foreach row,$(PICO_ROWS),$(firstword $(subst $(COMMA), ,$(row))))
 # Those that an emulator runs; make test-pico reports the others as skipped.
-pico_EMULATED := $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$3 == "rp2040" { print $$1 })
+pico_EMULATED := $(strip $(foreach board,$(pico_BOARDS),$(if $(filter rp2040,$(word 3,$(call pico_columns,$(board)))),$(board))))
 PICO_BOARD = $(or $(BOARD),pico)
-pico_fact = $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$1 == "$(PICO_BOARD)" { print $$$(1) })
-pico_panel_of = $(call pico_rows,$(PICO_BOARDS_DEF),BOARD,$$1 == "$(1)" { print $$4 })
+pico_fact = $(word $(1),$(call pico_columns,$(PICO_BOARD)))
+pico_panel_of = $(word 4,$(call pico_columns,$(1)))
 PANEL ?= $(or $(call pico_fact,4),none)
 # The RP2350 has cores of two kinds: arm, or riscv.
 ARCH ?= arm
@@ -19,7 +22,7 @@ PICO_PLATFORM = $(if $(filter riscv,$(ARCH)),-DPICO_PLATFORM=rp2350-riscv -DPICO
 # glint, or conformance: that checks the board and measures its frame rate.
 IMAGE ?= glint
 # Each glass upright, and lying if it is not square.
-PICO_PANELS := $(call pico_rows,firmware/core/panels.def,GLASS,$$1 != "SSD1306" { print tolower($$1) "-" $$2 "x" $$3; if ($$2 != $$3) print tolower($$1) "-" $$3 "x" $$2 })
+PICO_PANELS := $(shell awk -F '[(), ]+' '$$1 == "GLASS" && $$2 != "SSD1306" { print tolower($$2) "-" $$3 "x" $$4; if ($$3 != $$4) print tolower($$2) "-" $$4 "x" $$3 }' firmware/core/panels.def)
 # A panel on QSPI is wired as its board says.
 PICO_QSPI = $(filter co5300-%,$(PANEL))
 # Of these a release has an image; and of the boards that have a panel.
@@ -61,8 +64,6 @@ PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-
 MESH ?=
 SPLIT ?= 30
 AXES ?=
-COMMA := ,
-BLANK := $() $()
 PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filter teapot,$(DEMO)))
 PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
 # Up to here it is in RAM, where it is drawn in fewer cycles.
@@ -104,10 +105,10 @@ have-pico-choices:
 	@$(if $(PICO_PALETTE),$(if $(filter 0.0.glint.,$(SECOND_CORE).$(PICO_EXACT).$(IMAGE).$(BEVEL)),,echo "make: PANEL=$(PANEL): a palette is drawn on the whole of it$(COMMA) exactly$(COMMA) by one core and without soft edges; leave SECOND_CORE$(COMMA) PATH$(COMMA) IMAGE and BEVEL out" >&2; exit 1))
 	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
 
-# CMake knows what depends on what within.
+# CMake knows what depends on what within. Its messages would run a program for each object, which takes longer than a compiler with a cache.
 firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,$(if $(PICO_PALETTE),demo_palette.h,demo_map.h)) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@sdk=$$(firmware/ports/pico/fetch-sdk) && export PICO_SDK_PATH="$$sdk/pico-sdk" && \
-	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 -DPICO_BOARD_HEADER_DIRS="$(CURDIR)/firmware/ports/pico/boards" \
+	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DCMAKE_RULE_MESSAGES=OFF -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 -DPICO_BOARD_HEADER_DIRS="$(CURDIR)/firmware/ports/pico/boards" \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_SHOWS_PALETTE=$(if $(PICO_PALETTE),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
 	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
