@@ -4,7 +4,7 @@
 // counts what the page gives lights by: its pauses of 33 ms. While board.held is a list, requests wait for what they put there, and fail then; board.choosing is awaited before one is chosen. While board.waits is a list, bulk transfers wait for the status that what they put there is called with, and nothing else comes of them. A real board, or the firmware, is in tests/pico.
 export function fakeUsb(width, height) {
     const gone = () => { throw new DOMException('A transfer error has occurred.', 'NetworkError') }
-    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, choosing: null, opens: 0, held: null, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, unsupported: false, waits: null, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
+    const board = globalThis.board = { isPlugged: true, isHeld: false, isBusy: false, stalls: false, isChosen: true, choosing: null, opens: 0, held: null, mesh: null, room: null, takesMaps: true, takesLight: true, given: [], delay: 0, status: 0, waits: null, inMesh: false, enabled: 0, material: [], map: [], lights: [], reports: 0, rounds: 0 }
     const { setTimeout: plain } = globalThis
     globalThis.setTimeout = (then, ms, ...rest) => {
         board.rounds += ms === 33
@@ -12,6 +12,10 @@ export function fakeUsb(width, height) {
     }
     const listeners = { connect: [], disconnect: [] }
     const answer = status => ({ status })
+    const refused = () => { // which is the status until a request is carried out
+        board.status = 2
+        return answer('stall')
+    }
     const device = {
         productName: 'A board', serialNumber: '17', opened: false,
         configuration: { interfaces: [0, 1].map(interfaceNumber => ({ interfaceNumber,
@@ -29,14 +33,10 @@ export function fakeUsb(width, height) {
             if (request === 0xa0)
                 return { status: 'ok', data: new DataView(Uint8Array.of(0x67, 0x6c, 0x6e, 0x74, 1, 0, 0, 0, width, width >> 8, height, height >> 8).buffer) }
             if (request === 0xa4)
-                return board.mesh ? { status: 'ok', data: new DataView(Uint8Array.from(board.mesh).buffer) } : answer('stall')
+                return board.mesh ? { status: 'ok', data: new DataView(Uint8Array.from(board.mesh).buffer) } : refused()
             if (request === 0xa6)
-                return board.room ? { status: 'ok', data: new DataView(Int32Array.from(board.room).buffer) } : answer('stall')
-            if (board.unsupported) {
-                board.unsupported = false
-                return { status: 'ok', data: new DataView(Uint8Array.of(2).buffer) }
-            }
-            return { status: 'ok', data: new DataView(Uint8Array.of(board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
+                return board.room ? { status: 'ok', data: new DataView(Int32Array.from(board.room).buffer) } : refused()
+            return { status: 'ok', data: new DataView(Uint8Array.of(board.status ? board.status : board.isBusy || board.reports++ % 2 ? 1 : 0).buffer) }
         },
         async controlTransferOut({ request }, data) {
             if (board.held) {
@@ -48,16 +48,13 @@ export function fakeUsb(width, height) {
             board.isPlugged || gone()
             if (request === 0xa1 && data[0] && board.isBusy)
                 return answer('stall')
+            board.status = 0
             if (request === 0xa1)
                 board.enabled = data[0]
             if (request === 0xa2)
                 board.material = [...data]
-            if (request === 0xa3 && !board.takesMaps || request === 0xa5 && !board.mesh)
-                return answer('stall')
-            if (request === 0xa7 && (!board.takesLight || board.enabled)) {
-                board.unsupported = true
-                return answer('stall')
-            }
+            if (request === 0xa3 && !board.takesMaps || request === 0xa5 && !board.mesh || request === 0xa7 && (!board.takesLight || board.enabled))
+                return refused()
             if (request === 0xa7)
                 board.given.push([...data])
             if (request === 0xa3)

@@ -403,6 +403,17 @@ run([
         })
         await browser.until(() => document.getElementById('file-status').textContent === 'The browser makes no picture of this size; choose a smaller panel or zoom')
     }],
+    ['over plain http the Connect button says what is in the way', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            Object.defineProperty(navigator, 'usb', { value: undefined })
+            Object.defineProperty(globalThis, 'isSecureContext', { value: false })
+        })
+        await browser.go(start)
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+        await browser.tab('output')
+        await page.click('#connect')
+        check((await browser.text('device-status')).startsWith('Over plain http a page reaches no USB device. Open it by https, or run "glint page"'), await browser.text('device-status'))
+    }],
     ['the Connect button says why a page from a file reaches no device, and where one does', async () => {
         await browser.go(start)
         await browser.tab('output')

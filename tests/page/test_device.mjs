@@ -269,7 +269,18 @@ run([
         // Either asks before it begins, and stops the other one then.
         const only = (id, other) => browser.until(([id, other]) => document.getElementById(id).getAttribute('aria-pressed') === 'true' &&
             document.getElementById(other).getAttribute('aria-pressed') === 'false', [id, other])
-        for (const [room, sentence] of [[null, sentences.oldFirmware], [[0, 0, 0, 0], sentences.noSensor], [[1, 0, 0, 0], sentences.silentSensor]]) {
+        await take()
+        await note(sentences.oldFirmware)
+        await page.focus('#handle-1')
+        await page.keyboard.press('ArrowUp')
+        await follows() // it keeps its connection
+        await says('16 bytes a frame')
+        await board({ room: [0, 0, 0, 0] })
+        await connect()
+        await says('Disconnected')
+        await connect()
+        await says('16 bytes a frame')
+        for (const [room, sentence] of [[[0, 0, 0, 0], sentences.noSensor], [[1, 0, 0, 0], sentences.silentSensor]]) {
             await board({ room })
             await take()
             await note(sentence)

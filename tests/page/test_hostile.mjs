@@ -48,7 +48,7 @@ function hostile() {
         claimInterface: () => settle(odd),
         releaseInterface: () => settle(odd),
         clearHalt: () => settle(odd),
-        controlTransferIn: ({ request }) => answer(odd, request === 0xa0 ? size : request === 0xa4 ? bytes(12) : [below(odd) ? 0 : below(256)]),
+        controlTransferIn: ({ request }) => answer(odd, request === 0xa0 ? size : request === 0xa4 ? bytes(12) : request === 0xa6 ? bytes(16) : [below(odd) ? 0 : below(256)]),
         controlTransferOut: () => answer(odd, []),
         transferOut: () => answer(odd, []),
     }
@@ -142,7 +142,7 @@ run([
         const statuses = [1, 0] // busy at first
         const device = { open: async () => {}, close: async () => {}, claimInterface: async () => {}, releaseInterface: async () => {},
             configuration: { interfaces: [{ interfaceNumber: 1, alternates: [{ interfaceClass: 255, endpoints: [{ endpointNumber: 2, direction: 'out', type: 'bulk' }] }] }] },
-            controlTransferIn: ({ request }) => later(request === 0xa4 ? { status: 'stall' } : { status: 'ok', data: new DataView(Uint8Array.from(request === 0xa0 ? descriptor(240, 240) : [statuses.shift()]).buffer) }),
+            controlTransferIn: ({ request }) => later(request === 0xa4 || request === 0xa6 ? { status: 'stall' } : { status: 'ok', data: new DataView(Uint8Array.from(request === 0xa0 ? descriptor(240, 240) : [statuses.shift()]).buffer) }),
             transferOut: () => later({ status: 'ok' }), controlTransferOut: () => later({ status: 'ok' }) }
         const pico = await Pico.connect({ getDevices: async () => [device] }, device, bytes => engine.deviceSize(bytes), patience)
         await pico.sendLight(new Uint8Array(16))

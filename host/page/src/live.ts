@@ -21,11 +21,15 @@ let has = { map: '', material: '' }
 let frames: number[] = []
 let isLost = false
 
-function say(text: string): void {
+/** What changes with each frame is not read out. */
+function say(text: string, isOften = false): void {
+    status.setAttribute('aria-live', isOften ? 'off' : 'polite')
     status.textContent = text
 }
 
 function whyNot(): string {
+    if (!usb && !isSecureContext)
+        return 'Over plain http a page reaches no USB device. Open it by https, or run "glint page" and open http://localhost:8016/, in Chrome, Edge or Opera.'
     if (!usb)
         return 'This browser does not reach USB devices. Open the page in Chrome, Edge or Opera on a computer.'
     if (location.protocol === 'file:')
@@ -310,7 +314,7 @@ function tell(to: Pico, { pose, light }: ForDevice): void {
     const now = performance.now()
     frames = frames.filter(time => time > now - 1000)
     const rate = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0
-    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}${(pose ?? light)!.length} bytes a frame. The picture here is the same, bit for bit: ${pose ? 'parallel projection, stepped outline' : 'one colour, full gloss'}, no dither, over black.`)
+    say(`${to.name} draws ${to.width} × ${to.height}, RGB565: ${frames.length > 1 ? `${rate.toFixed(0)} frames/s, ` : ''}${(pose ?? light)!.length} bytes a frame. The picture here is the same, bit for bit: ${pose ? 'parallel projection, stepped outline' : 'one colour, full gloss'}, no dither, over black.`, frames.length > 1)
 }
 
 onDrawn(({ isBoards }) => {

@@ -47,6 +47,7 @@ export class Pico {
     /** What it says of the mesh that it holds, if it holds one. */
     mesh?: Uint8Array
     takesMaps = true
+    private tellsLight = false
     private number = 0
     private endpoint = 0
 
@@ -66,6 +67,7 @@ export class Pico {
                 await it.within(device.selectConfiguration(1))
             await it.findInterface(sizeOf)
             await it.enable()
+            await it.findLight()
             await it.findMesh()
             return it
         } catch (error) {
@@ -118,11 +120,13 @@ export class Pico {
     }
 
     /** Towards the room's light, as the board's accelerometer has it, of any length; else why not, a sentence. */
-    room(): Promise<[number, number, number] | string> {
+    async room(): Promise<[number, number, number] | string> {
+        if (!this.tellsLight)
+            return sentences.oldFirmware
         return this.guard(async () => {
-            const { status, data } = await this.within(this.device.controlTransferIn(this.setup(wire.LIGHT_GET_LIGHT), wire.LIGHT_MESSAGE_BYTES))
+            const { status, data } = await this.getLight()
             if (status !== 'ok' || data?.byteLength !== wire.LIGHT_MESSAGE_BYTES)
-                return sentences.oldFirmware
+                throw new Trouble(sentences.stalled)
             const [sense, x, y, z] = [0, 4, 8, 12].map(at => data.getInt32(at, true))
             return sense === wire.LIGHT_SENSED && (x || y || z) ? [x, y, z] : sense === wire.LIGHT_NO_SENSOR ? sentences.noSensor : sentences.silentSensor
         })
@@ -198,6 +202,16 @@ export class Pico {
                 throw new Trouble(sentences.busy)
             await new Promise(resolve => setTimeout(resolve, 100))
         }
+    }
+
+    private getLight() {
+        return this.within(this.device.controlTransferIn(this.setup(wire.LIGHT_GET_LIGHT), wire.LIGHT_MESSAGE_BYTES))
+    }
+
+    /** Older boards refuse the question, and that is their status until they are sent a map or a mesh: so it is asked before. */
+    private async findLight(): Promise<void> {
+        const { status, data } = await this.getLight()
+        this.tellsLight = status === 'ok' && data?.byteLength === wire.LIGHT_MESSAGE_BYTES
     }
 
     /** Boards that hold none refuse the question; of those that hold one, some have no room for a map. */
