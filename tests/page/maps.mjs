@@ -23,8 +23,8 @@ function chunk(name, data) {
 
 const channelsOf = { 0: 1, 2: 3, 3: 1, 4: 2, 6: 4 }
 
-/** type: PNG's colour type; sample(x, y, channel): a whole number of `depth` bits; extra: chunks before the data. */
-export function png({ width, height, type, depth, sample, extra = [], filter = 0 }) {
+/** type: PNG's colour type; sample(x, y, channel): a whole number of `depth` bits; extra: chunks before the data; behind: so many zeros behind it. */
+export function png({ width, height, type, depth, sample, extra = [], filter = 0, behind = 0 }) {
     const channels = channelsOf[type], lineBytes = Math.ceil(width * channels * depth / 8), step = Math.max(1, channels * depth / 8)
     const lines = []
     let above = Buffer.alloc(lineBytes)
@@ -52,7 +52,7 @@ export function png({ width, height, type, depth, sample, extra = [], filter = 0
     head.writeUInt32BE(height, 4)
     head.set([depth, type, 0, 0, 0], 8)
     return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), chunk('IHDR', head),
-        ...extra.map(([name, data]) => chunk(name, Buffer.from(data))), chunk('IDAT', deflateSync(Buffer.concat(lines))), chunk('IEND', Buffer.alloc(0))])
+        ...extra.map(([name, data]) => chunk(name, Buffer.from(data))), chunk('IDAT', deflateSync(Buffer.concat([...lines, Buffer.alloc(behind)]))), chunk('IEND', Buffer.alloc(0))])
 }
 
 const width = 45, height = 33

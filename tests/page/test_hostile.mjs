@@ -8,7 +8,7 @@ import { ball, gltf, meshes } from './meshes.mjs'
 import { randomly } from './states.mjs'
 
 const [folder] = process.argv.slice(2)
-const { Engine, Pico, readPng, sentences, Trouble, white } = await import(`${process.cwd()}/${folder}/engine.mjs`)
+const { Engine, Pico, readPng, sentences, together, Trouble, white } = await import(`${process.cwd()}/${folder}/engine.mjs`)
 const engine = new Engine(new WebAssembly.Module(readFileSync(`${folder}/module.wasm`)))
 const random = randomly(Number(process.env.SEED ?? 1))
 const below = count => Math.floor(random() * count), pick = list => list[below(list.length)]
@@ -203,6 +203,23 @@ run([
         short[23] = 9
         short.writeUInt32BE(crc(short.subarray(12, 29)), 29)
         equal(drawn('a.png', Uint8Array.from(short), '--height='), 'a.png: damaged PNG: Unsupported filter; save it again', 'what it says')
+    }],
+    ['a picture that inflates to more than its pixels is damaged, and is not inflated to its end', () => {
+        const bomb = png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 200, behind: 1 << 28 })
+        check(bomb.length < 1 << 19, `the file has ${bomb.length} bytes`)
+        equal(drawn('a.png', Uint8Array.from(bomb), '--height='), 'a.png: damaged PNG: there is more in it than its pixels; save it again', 'what it says')
+        const little = png({ width: 4, height: 4, type: 0, depth: 8, sample: x => 60 * x, behind: 9 })
+        equal(drawn('a.png', Uint8Array.from(little), '--height='), '', 'what it says of a few bytes')
+    }],
+    ['textures that are too large together are refused, those of a glTF and those beside an OBJ', () => {
+        const half = png({ width: 4097, height: 4096, type: 0, depth: 1, sample: () => 0 }), materials = [0, 1].map(index => ({ pbrMetallicRoughness: { baseColorTexture: { index } } }))
+        const part = material => ({ places, normals, uv, indices, material })
+        const of = textures => Uint8Array.from(gltf([part(0), part(1)], { materials, textures }, [half, half]))
+        const sentence = 'its textures have more than 33554432 pixels together'
+        check(drawn('a.glb', of([{ source: 0 }, { source: 1 }]), '--mesh=').startsWith(`a.glb: ${sentence}`), 'a glTF')
+        const texts = { 'a.obj': 'mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', 'a.mtl': 'newmtl a\nmap_Kd a.png\nnewmtl b\nmap_Kd b.png\n', 'a.png': half, 'b.png': half }
+        const obj = together(Object.entries(texts).map(([name, bytes]) => ({ name, bytes: Uint8Array.from(Buffer.from(bytes)) })))
+        check(drawn('a.obj', obj, '--mesh=').startsWith(`a.obj: ${sentence}`), 'an OBJ')
     }],
     ['after all that it draws what it drew before', () => {
         engine.addWhite(white, 8, 8)

@@ -4,7 +4,7 @@ import { LIGHT_DESCRIPTOR_BYTES, LIGHT_MATERIAL_BYTES, LIGHT_MESH_BYTES, LIGHT_M
 import { checkTexture, isGltf, readGltf } from './gltf'
 import { apart, isObj } from './obj'
 import { Module } from './module'
-import { readPng } from './png'
+import { pixelsMax, readPng } from './png'
 import type { Map16 } from './png'
 
 export interface Picture {
@@ -84,6 +84,8 @@ export class Engine {
     addMesh(name: string, bytes: Uint8Array<ArrayBuffer>): void {
         const [mesh, ...named] = isObj(name) ? apart(name, bytes) : [{ name, bytes }]
         const maps = named.filter(({ name }) => isPng(name)).map(({ name: of, bytes }): [string, Map16] => (checkTexture(of, bytes), [`${name}/${of}`, readPng(of, bytes)]))
+        if (maps.reduce((sum, [, { width, height }]) => sum + width * height, 0) > pixelsMax)
+            throw new Error(`${name}: its textures have more than ${pixelsMax} pixels together; make them smaller`)
         const held = isGltf(name) ? readGltf(name, bytes) : mesh.bytes
         this.add(name, () => {
             this.drop(name, false)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // glTF files that hold all they need (GLB, or data: addresses) into what module/soup.c reads: triangles as the command has them of
 // libassimp, in the same order and with the same roundings. What would have to be rounded otherwise is refused.
-import { readPng } from './png'
+import { pixelsMax, readPng } from './png'
 
 interface View { buffer: number, byteOffset?: number, byteLength: number, byteStride?: number }
 interface Accessor { bufferView?: number, byteOffset?: number, componentType: number, count: number, type: string, sparse?: unknown }
@@ -144,6 +144,7 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
 
     // ---- all as numbers, and the pictures' bytes ----
 
+    let pixels = 0
     const decoded = pictures.map((image, i) => {
         const { uri, bufferView } = json.images?.[image] ?? damaged(), title = `its texture ${i + 1}`
         const bytes = bufferView !== undefined ? viewBytes(bufferView).slice() : bytesOf(uri).slice()
@@ -157,6 +158,8 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         })()
         if (map.bits > 8)
             refuse(`${title} has ${map.bits} bits a sample; save it with 8`)
+        if ((pixels += map.width * map.height) > pixelsMax)
+            refuse(`its textures have more than ${pixelsMax} pixels together; make them smaller`)
         return map
     })
     const head = [soupMagic, faces.length / faceNumbers, materials.length, decoded.length, Number(has('NORMAL')), Number(has('TEXCOORD_0')), Number(has('COLOR_0')), ...materials.flat(), ...decoded.flatMap(({ width, height }) => [width, height])]

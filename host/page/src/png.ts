@@ -3,6 +3,8 @@
 // changes colours under alpha. Every sample becomes 16 bits, 65535 = 1.0.
 import { convertIndexedToRgb, decode, encode } from 'fast-png'
 import type { DecodedPng } from 'fast-png'
+import { Unzlib } from 'fflate'
+import { joined } from './packed'
 
 export interface Map16 {
     width: number
@@ -31,7 +33,8 @@ const others: [string, string][] = [
     ['<svg', 'an SVG'], ['<?xml', 'an SVG or other XML file'],
 ]
 const signature = '\x89PNG\r\n\x1a\n'
-const sideMax = 16384, pixelsMax = 1 << 25
+const sideMax = 16384
+export const pixelsMax = 1 << 25
 
 /** Throws an Error whose message is a sentence. */
 export function readPng(name: string, bytes: Uint8Array): Map16 {
@@ -51,7 +54,7 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
         throw new Error(`${name}: ${width}x${height} pixels; at most ${sideMax} a side and ${pixelsMax} in all are allowed`)
     let png: DecodedPng
     try {
-        png = decode(bytes, { checkCrc: true })
+        png = decode(withoutBombs(bytes, 8 * (width + 1) * (height + 8)), { checkCrc: true })
     } catch (error) {
         return damaged((error as Error).message.replace(/(: undefined)?\W*$/, ''))
     }
@@ -62,6 +65,28 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
     } catch { // the decoder believes that there is a palette
         return damaged('its palette is not there, or too short')
     }
+}
+
+/** Without a colour profile, which the decoder would inflate, too; throws where more is behind the pixels than they can be. */
+function withoutBombs(bytes: Uint8Array, most: number): Uint8Array {
+    const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length), kept: Uint8Array[] = [bytes.subarray(0, 8)]
+    const inflater = new Unzlib(piece => { most -= piece.length }), step = 1 << 16
+    for (let at = 8, length; at < bytes.length; at += 12 + length) {
+        length = at + 8 <= bytes.length ? view.getUint32(at) : 0
+        const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8)), end = at + 8 + length
+        if (kind !== 'iCCP')
+            kept.push(bytes.subarray(at, end + 4))
+        for (let from = at + 8; kind === 'IDAT' && from < Math.min(end, bytes.length); from += step) {
+            try {
+                inflater.push(bytes.subarray(from, Math.min(end, from + step)))
+            } catch { // the decoder says so
+                return bytes
+            }
+            if (most < -(1 << 20)) // a little more is no harm
+                throw new Error('there is more in it than its pixels')
+        }
+    }
+    return joined(kept)
 }
 
 function widen(png: DecodedPng): Map16 {
