@@ -350,6 +350,42 @@ run([
         }
         await page.removeScriptToEvaluateOnNewDocument(identifier)
     }],
+    ['a browser that fails to open its store once keeps the next file; where the store is full that is said', async () => {
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            const { open } = IDBFactory.prototype
+            IDBFactory.prototype.open = function () {
+                IDBFactory.prototype.open = open
+                const request = { error: new DOMException('not now', 'UnknownError') }
+                setTimeout(() => request.onerror(), 1)
+                return request
+            }
+        })
+        await browser.go(start)
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+        for (const name of ['grey8.png', 'grey16.png']) {
+            await browser.drop({ [`once ${name}`]: surfaces[name].bytes })
+            await browser.until(name => document.body.dataset.kept === name, `once ${name}`)
+        }
+        await browser.until(() => location.hash.slice(1) === document.body.dataset.state)
+        await page.reload()
+        await browser.until(() => document.body.dataset.drawn !== undefined)
+        equal(await browser.text('refusal'), '', 'what it says after a reload')
+        command.put('once grey16.png', surfaces['grey16.png'].bytes)
+        check((await shownIsDrawn()).includes('--height=once grey16.png'), await browser.text('command'))
+        await page.evaluate(() => {
+            const { put } = IDBObjectStore.prototype
+            IDBObjectStore.prototype.put = function (value) {
+                const request = put.call(this, value), { transaction } = this
+                request.onsuccess = () => transaction.abort()
+                Object.defineProperty(transaction, 'error', { value: new DOMException('full', 'QuotaExceededError') })
+                return request
+            }
+        })
+        command.put('full.png', surfaces['grey8.png'].bytes)
+        await browser.drop({ 'full.png': surfaces['grey8.png'].bytes })
+        await browser.until(() => document.getElementById('refusal').textContent === 'full.png: the browser has no room to keep it; it is gone when the page is closed')
+        check((await shownIsDrawn()).includes('--height=full.png'), await browser.text('command'))
+    }],
     ['two tabs keep files by name as one folder does: what one forgets or replaces another shows until it is loaded again', async () => {
         const other = Object.assign(Object.create(browser), { page: await browser.browser.newPage() }), [old, newer] = ['grey8.png', 'grey16.png'].map(name => surfaces[name].bytes)
         const drop = async (tab, name, bytes) => {

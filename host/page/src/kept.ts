@@ -52,27 +52,57 @@ function finished<T>(request: IDBRequest<T>): Promise<T> {
 }
 
 let opening: Promise<IDBDatabase> | undefined
+/** In milliseconds; some browsers never answer, for whom it is not waited again. */
+let patience = 4000
+/** Where that fails, or ends, it is tried again the next time. */
 function open(): Promise<IDBDatabase> {
-    return opening ??= new Promise((resolve, reject) => {
-        const request = indexedDB.open('glint', 1)
-        request.onupgradeneeded = () => request.result.createObjectStore('files', { keyPath: 'name' })
-        request.onsuccess = () => resolve(request.result)
-        request.onerror = request.onblocked = () => reject(request.error)
-        setTimeout(reject, 4000) // some browsers never answer
-    })
+    const again = () => { opening = undefined }
+    if (!opening) {
+        opening = new Promise((resolve, reject) => {
+            const request = indexedDB.open('glint', 1)
+            request.onupgradeneeded = () => request.result.createObjectStore('files', { keyPath: 'name' })
+            request.onsuccess = () => {
+                request.result.onclose = again // the browser's data were cleared
+                resolve(request.result)
+            }
+            request.onerror = () => reject(request.error)
+        })
+        opening.catch(again)
+    }
+    const late = new Promise<never>((_, reject) => setTimeout(() => {
+        patience = 0
+        reject(new Error('no answer'))
+    }, patience))
+    return Promise.race([opening, late])
 }
 
-/** Where a browser keeps nothing (a private window), a file lasts as long as the page. */
-export async function keepFile(name: string): Promise<void> {
+/** Where a browser keeps nothing (a private window), a file lasts as long as the page. False: it has no room left for it. */
+export async function keepFile(name: string): Promise<boolean> {
     const bytes = bytesOf(name)
     if (!bytes) // undone meanwhile
-        return
+        return true
     try {
-        const store = (await open()).transaction('files', 'readwrite').objectStore('files')
-        await finished(store.put({ name, bytes, time: Date.now() }))
-        const all = (await finished(store.getAll())) as Kept[]
-        all.sort((a, b) => b.time - a.time).slice(keepsAtMost).forEach(({ name }) => store.delete(name))
-    } catch { /* not kept */ }
+        const work = (await open()).transaction('files', 'readwrite'), store = work.objectStore('files')
+        const isKept = new Promise<void>((resolve, reject) => {
+            work.oncomplete = () => resolve()
+            work.onabort = () => reject(work.error)
+        })
+        store.put({ name, bytes, time: Date.now() })
+        const times: [string, number][] = []
+        store.openCursor().onsuccess = ({ target }) => { // one after the other: together they may be large
+            const { result } = target as IDBRequest<IDBCursorWithValue | null>
+            if (result) {
+                times.push([(result.value as Kept).name, (result.value as Kept).time])
+                result.continue()
+            } else {
+                times.sort(([, a], [, b]) => b - a).slice(keepsAtMost).forEach(([old]) => store.delete(old))
+            }
+        }
+        await isKept
+        return true
+    } catch (error) {
+        return (error as Error | null)?.name !== 'QuotaExceededError'
+    }
 }
 
 async function keptBytes(name: string): Promise<Uint8Array<ArrayBuffer> | undefined> {

@@ -46,9 +46,9 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
     if (refusal === stopped)
         refusal = `${name}: stopped before it was drawn; drop or choose it again`
     if (!refusal) {
-        await keepFile(name)
+        const isKept = await keepFile(name)
         document.body.dataset.kept = name
-        return ''
+        return isKept ? '' : `${name}: the browser has no room to keep it; it is gone when the page is closed`
     }
     if (had)
         await putFile(name, kind, had).catch(() => undefined)
@@ -112,7 +112,10 @@ for (const kind of kinds) {
     }
     const label = make('label', { htmlFor: input.id, className: 'file', textContent: 'Choose', aria: { label: `Choose: ${titles[kind]}` } })
     const name = make('span', { className: 'file-name' })
-    const clear = make('button', { type: 'button', textContent: '×', aria: { label: `${titles[kind]}: remove` }, onclick: () => change({ [kind]: undefined }) })
+    const clear = make('button', { type: 'button', textContent: '×', aria: { label: `${titles[kind]}: remove` }, onclick: () => {
+        change({ [kind]: undefined })
+        input.focus() // for it is hidden itself
+    } })
     const row = make('div', { className: 'row' }, make('div', { className: 'line' }, make('span', { className: 'name', textContent: titles[kind] }), name, clear, make('span', {}, input, label)))
     updates.push(() => {
         const file = fileOf(current(), kind)
