@@ -403,6 +403,30 @@ run([
         })
         await browser.until(() => document.getElementById('file-status').textContent === 'The browser makes no picture of this size; choose a smaller panel or zoom')
     }],
+    ['a worker that fails is said to, and another one draws what comes then; one that cannot begin is said, too', async () => {
+        await browser.go(start)
+        await page.evaluate(() => { globalThis.workers.at(-1).isHeld = true })
+        await browser.set('control-size', '70x70')
+        await browser.until(() => !document.getElementById('busy').hidden)
+        await page.evaluate(() => globalThis.workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'no memory', cancelable: true })))
+        await browser.until(() => document.getElementById('refusal').textContent === 'the page failed (no memory); a smaller --size may help')
+        await browser.set('control-n', '9')
+        check((await shownIsDrawn()).includes('-n9'), 'nothing is drawn after that')
+        const { identifier } = await page.evaluateOnNewDocument(() => {
+            globalThis.Worker = class extends Worker {
+                constructor() {
+                    super(URL.createObjectURL(new Blob(['throw new Error("no WebAssembly")'], { type: 'text/javascript' })))
+                }
+            }
+        })
+        await page.goto('about:blank')
+        await page.goto(`${browser.url}#${start}`)
+        await page.removeScriptToEvaluateOnNewDocument(identifier)
+        await browser.until(() => /^this browser does not run the page's worker \(.*no WebAssembly.*\); load the page again/.test(document.getElementById('refusal')?.textContent))
+        await browser.set('control-n', '9')
+        await browser.until(() => document.body.dataset.drawn === document.body.dataset.state && document.body.dataset.drawn?.includes('n=9'))
+        check((await browser.text('refusal')).startsWith('this browser does not run'), await browser.text('refusal'))
+    }],
     ['over plain http the Connect button says what is in the way', async () => {
         const { identifier } = await page.evaluateOnNewDocument(() => {
             Object.defineProperty(navigator, 'usb', { value: undefined })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The worker as functions that return promises. It can be stopped: another one then begins with the user's files.
+// The worker as functions that return promises. It can be stopped, or fail: another one then begins with the user's files.
 import source from 'glint:worker'
 import type { Methods } from './worker'
 
@@ -15,9 +15,14 @@ let last = 0
 /** What a worker is told first. */
 const files = new Map<string, { method: 'map' | 'mesh', bytes: Uint8Array<ArrayBuffer> }>()
 
+/** Why no worker runs at all. */
+let neverBegins: Error | undefined
+
 function begin(): Worker {
     const fresh = new Worker(url)
+    let hasAnswered = false
     fresh.onmessage = ({ data }: MessageEvent<Reply>) => {
+        hasAnswered = true
         const call = waiting.get(data.id)
         waiting.delete(data.id)
         if (data.error === undefined)
@@ -25,11 +30,21 @@ function begin(): Worker {
         else
             call?.reject(new Error(data.error))
     }
+    fresh.onerror = event => { // it ran out of memory, or could not begin: then the next one could not either
+        event.preventDefault()
+        if (fresh !== worker)
+            return
+        if (!hasAnswered)
+            neverBegins = new Error(`this browser does not run the page's worker (${event.message}); load the page again, or open it in another browser`)
+        renew(neverBegins ?? new Error(`the page failed (${event.message}); a smaller --size may help`))
+    }
     return fresh
 }
 
 export function ask<M extends keyof Methods>(method: M, ...args: Parameters<Methods[M]>): Promise<ReturnType<Methods[M]>> {
     return new Promise((resolve, reject) => {
+        if (neverBegins)
+            throw neverBegins
         waiting.set(++last, { method, resolve, reject, since: performance.now() })
         worker.postMessage({ id: last, method, args })
     })
@@ -60,13 +75,20 @@ export function waits(): number {
 export const workersSoFar = () => workers
 let workers = 0
 
-export function stop(): void {
+/** What waits is told why it waits no longer. */
+function renew(why: Error): void {
     worker.terminate()
     workers++
     const calls = [...waiting.values()]
     waiting.clear()
-    worker = begin()
-    for (const [name, { method, bytes }] of files)
-        worker.postMessage({ id: 0, method, args: [name, bytes] })
-    calls.forEach(({ reject }) => reject(new Stopped(stopped)))
+    if (!neverBegins) {
+        worker = begin()
+        for (const [name, { method, bytes }] of files)
+            worker.postMessage({ id: 0, method, args: [name, bytes] })
+    }
+    calls.forEach(({ reject }) => reject(why))
+}
+
+export function stop(): void {
+    renew(new Stopped(stopped))
 }
