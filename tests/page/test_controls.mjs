@@ -3,7 +3,7 @@
 // keyboard, and what is told there.
 import { readFileSync } from 'node:fs'
 import { check, equal, run } from '../pico/tap.mjs'
-import { asked, browser, command, fragment, frames, isFirefox, page, press, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
+import { asked, browser, command, fragment, frames, isFirefox, page, press, readPng, shownIsDrawn, start, stateOfFragment, stateOfWords, wordsOf } from './beside.mjs'
 import { difference } from './glint.mjs'
 import { surfaces } from './maps.mjs'
 import { randomly, randomWords } from './states.mjs'
@@ -402,6 +402,51 @@ run([
             document.getElementById('file-stage').click()
         })
         await browser.until(() => document.getElementById('file-status').textContent === 'The browser makes no picture of this size; choose a smaller panel or zoom')
+    }],
+    ['files are of one picture, whatever is changed as they are saved; one that stands in for another is not saved', async () => {
+        await browser.go(start)
+        await browser.tab('output')
+        const { 'normals.png': saved } = await page.evaluate(() => {
+            globalThis.saved = []
+            const input = document.getElementById('control-size')
+            input.value = '50x40'
+            input.dispatchEvent(new Event('change', { bubbles: true }))
+            document.getElementById('file-normals').click()
+        }).then(() => browser.until(() => globalThis.saved.length || !/Working/.test(document.getElementById('file-status').textContent)))
+            .then(() => page.evaluate(() => Object.fromEntries(globalThis.saved.map(({ name, base64 }) => [name, base64]))))
+        const png = readPng('normals.png', Buffer.from(saved ?? '', 'base64'))
+        equal(`${png.width}x${png.height}`, '50x40', 'its size')
+        const { 'normals.bin': baked } = command.files(['bake', '--scene=coin', '--size=50x40', '--to=int16', '-o', 'normals.bin'])
+        const wrong = png.samples.findIndex((value, i) => i % 4 < 3 && value !== Math.round((baked.readInt16LE(2 * (3 * (i - i % 4) / 4 + i % 4)) / 32767 + 1) / 2 * 65535))
+        equal(wrong, -1, 'a sample that is another one')
+        await browser.go('height=not-here.png&size=40x30')
+        for (const id of ['png', 'stage', 'material']) {
+            await page.evaluate(id => {
+                globalThis.saved = []
+                document.getElementById('file-status').textContent = ''
+                document.getElementById(`file-${id}`).click()
+            }, id)
+            await browser.until(() => document.getElementById('file-status').textContent === 'not-here.png: this map is not here; drop or choose the file')
+            equal(await page.evaluate(() => globalThis.saved.length), 0, `files of ${id}`)
+        }
+    }],
+    ['what is told of the picture is told when a file is stopped, too', async () => {
+        await browser.go(start)
+        await browser.expert()
+        const extent = await browser.text('extent')
+        await page.evaluate(() => {
+            globalThis.workers.at(-1).isHeld = true
+            document.getElementById('file-material').click()
+        })
+        await browser.until(() => !document.getElementById('busy').hidden)
+        await page.evaluate(() => {
+            for (const id of ['extent', 'errors'])
+                document.getElementById(id).replaceChildren()
+            document.getElementById('stop').click()
+        })
+        await browser.until(() => document.getElementById('file-status').textContent === 'Stopped; nothing was saved')
+        await browser.until(extent => document.getElementById('extent').textContent === extent, extent)
+        await shownIsDrawn()
     }],
     ['a worker that fails is said to, and another one draws what comes then; one that cannot begin is said, too', async () => {
         await browser.go(start)

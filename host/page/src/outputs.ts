@@ -4,7 +4,8 @@
 import { ask, Stopped } from './client'
 import { byId, make } from './dom'
 import { apng, zip } from './packed'
-import { lastDrawn, onDrawn, setWorking, viewed } from './picture'
+import { drawnNow, onDrawn, setWorking } from './picture'
+import type { Drawn } from './picture'
 import { pictureHeader, programs } from './programs'
 import type { Kind } from './programs'
 import { stagePicture } from './stage'
@@ -37,13 +38,9 @@ const baked = (state: State, to: string, name: string) => ['glint bake', ...only
 /** What has a background is drawn without what lies around it. */
 const cutOut = (state: State): State => state.background !== undefined && (state.scene ?? state.bevel) !== undefined ? { ...state, 'cut-out': '' } : state
 
-async function state(): Promise<State> {
-    return (await viewed()).state
-}
-
 /** As the command writes them. */
-const run = (words: (state: State) => string[]) => async () => {
-    const line = words(await state()), { files, printed, warnings } = await ask('run', line)
+const run = (words: (state: State) => string[]) => async ({ state }: Drawn) => {
+    const line = words(state), { files, printed, warnings } = await ask('run', line)
     for (const { name, bytes } of files)
         save(name, bytes)
     const [first, ...rest] = line
@@ -53,8 +50,7 @@ const run = (words: (state: State) => string[]) => async () => {
 /** Samples of a pixel, where it is no grey. */
 const colours = ({ format }: State) => format === 'argb8888' ? 4 : 3
 
-async function savePicture(): Promise<string> {
-    const { width, height, rgba, state } = lastDrawn()!
+async function savePicture({ width, height, rgba, state }: Drawn): Promise<string> {
     save('glint.png', await ask('png', width, height, rgba, /^(grey\d|mono)$/.test(state.format ?? '') ? 1 : colours(state)))
     return 'glint.png: the panel\'s pixels'
 }
@@ -67,16 +63,15 @@ async function saveStage(): Promise<string> {
     return 'stage.png: the panel in its bezel'
 }
 
-async function saveNormals(): Promise<string> {
-    const now = await state(), { width, height } = lastDrawn()!
-    const { files } = await ask('run', ['glint bake', ...only(scene, cutOut(now)), '--to=int16', '-o', 'normals.bin'])
+async function saveNormals({ width, height, state }: Drawn): Promise<string> {
+    const { files } = await ask('run', ['glint bake', ...only(scene, cutOut(state)), '--to=int16', '-o', 'normals.bin'])
     save('normals.png', await ask('normals', width, height, files[0].bytes))
     return 'normals.png: 16 bits a channel, green up, for --normals and for other programs'
 }
 
 const frames = 48
-async function saveAnimation(): Promise<string> {
-    const now = await state(), drawn = lastDrawn()!, i = selectedLight()
+async function saveAnimation({ state: now, facts }: Drawn): Promise<string> {
+    const i = selectedLight()
     let isStopped = false
     setWorking(() => { isStopped = true })
     try {
@@ -84,8 +79,8 @@ async function saveAnimation(): Promise<string> {
             if (isStopped)
                 throw new Stopped()
             status.textContent = `Frame ${k + 1} of ${frames}`
-            const [x, y, z] = drawn.facts.turn ?? []
-            return ask('aside', wordsOf(drawn.facts.turn ? { ...now, turn: [x, y + 360 * k / frames, z].map(v => Number((((v + 180) % 360 + 360) % 360 - 180).toFixed(1))).join() }
+            const [x, y, z] = facts.turn ?? []
+            return ask('aside', wordsOf(facts.turn ? { ...now, turn: [x, y + 360 * k / frames, z].map(v => Number((((v + 180) % 360 + 360) % 360 - 180).toFixed(1))).join() }
                 : { ...now, lights: now.lights.length ? now.lights.map((light, at) => at === i ? movedTo(light, ...orbitAt(k / frames)) : light) : [movedTo({ kind: 'light', text: '-1,1,1' }, ...orbitAt(k / frames))] }))
         })
         save('glint.apng', bytes)
@@ -96,8 +91,8 @@ async function saveAnimation(): Promise<string> {
 }
 
 /** In one colour and with full gloss, as a board has it. */
-const program = (kind: Kind) => async () => {
-    const now = await state(), { name, text, format = own => own } = programs[kind], { facts } = lastDrawn()!
+const program = (kind: Kind) => async ({ state: now, facts }: Drawn) => {
+    const { name, text, format = own => own } = programs[kind]
     const wanted = { ...now, format: format(now.format ?? 'rgb888'), color: now.color ?? (facts.has_albedo[0] ? facts.colour.join() : undefined), albedo: undefined }
     const { files: [material] } = await ask('run', ['glint material', ...look(wanted), '-o', 'material.h'])
     const { files: normals } = await ask('run', baked(wanted, 'int8', 'normals.c'))
@@ -108,14 +103,13 @@ const program = (kind: Kind) => async () => {
     return `picture.zip: ${name} and what it includes; it draws the picture in one colour, with full gloss${wanted.background ? ', over black' : ''}. Beside it compile glint.`
 }
 
-async function saveGloss(): Promise<string> {
-    const { white, width, height } = lastDrawn()!
+async function saveGloss({ white, width, height }: Drawn): Promise<string> {
     save(white!, await ask('png', width, height, new Uint8Array(4 * width * height).fill(255), 1))
     return `${white}: the map by which all of the surface has full gloss, as on the board; the command line below reads it`
 }
 
 /** of: what the surface must be, a map or a mesh. */
-const groups: [string, { title: string, name: string, save: () => Promise<string>, of?: 'map' | 'mesh' | 'board' }[]][] = [
+const groups: [string, { title: string, name: string, save: (drawn: Drawn) => Promise<string>, of?: 'map' | 'mesh' | 'board' }[]][] = [
     ['Pictures', [
         { title: 'Picture, PNG', name: 'png', save: savePicture },
         { title: 'Stage, PNG', name: 'stage', save: saveStage },
@@ -141,10 +135,11 @@ const groups: [string, { title: string, name: string, save: () => Promise<string
     ]],
 ]
 
-async function work(save: () => Promise<string>): Promise<void> {
+/** All of a file is of one picture, whatever is changed meanwhile. */
+async function work(save: (drawn: Drawn) => Promise<string>): Promise<void> {
     status.textContent = 'Working…'
     try {
-        status.textContent = await save()
+        status.textContent = await save(await drawnNow())
     } catch (error) {
         status.textContent = error instanceof Stopped ? 'Stopped; nothing was saved' : (error as Error).message
     }

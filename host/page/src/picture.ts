@@ -19,8 +19,8 @@ export interface Viewed {
 export interface Drawn extends Viewed {
     /** The page's own state. */
     asked: State
-    /** Files are missing, and the state is another one in its place. */
-    standsIn: boolean
+    /** Why the state is another one in its place, such as a file that is missing; '': it is not. */
+    standsIn: string
     width: number
     height: number
     rgba: Uint8Array<ArrayBuffer>
@@ -28,8 +28,8 @@ export interface Drawn extends Viewed {
 }
 let drawn: Drawn | undefined
 let busy = false, again = false
-/** Why the worker does not draw the state of the page; '': it does. */
-let refusal = ''
+/** Why the state of the page is not drawn, if it is not. */
+let failure: Error | undefined
 let waiting: ((refusal: string) => void)[] = []
 const listeners: ((drawn: Drawn) => void)[] = []
 
@@ -40,44 +40,55 @@ export function onDrawn(listener: (drawn: Drawn) => void): void {
 
 /** What shows the picture now does not draw such a state, which is none the worse for it. */
 export class NotHere extends Error {}
+/** Why the worker does not draw the state of the page; '': it does. */
+const refusal = () => failure && !(failure instanceof NotHere) ? failure.message : ''
 
 type View = (state: State) => Viewed | Promise<Viewed>
 const itself: View = state => ({ state })
 let view = itself
-/** What is drawn, or would be, of the state that the page has now. */
-export const viewed = () => view(current())
 export function setView(next = itself): void {
     view = next
 }
 
 /** Once the state that the page has, or a later one, is drawn or refused: why, or ''. */
 export async function settled(): Promise<string> {
-    return busy ? new Promise(resolve => waiting.push(resolve)) : refusal
+    return busy ? new Promise(resolve => waiting.push(resolve)) : refusal()
+}
+
+/** What is drawn then. Throws where that is no picture of the state that was asked for. */
+export async function drawnNow(): Promise<Drawn> {
+    const said = await settled()
+    if (said === stopped)
+        throw new Stopped(stopped)
+    if (failure || !drawn || drawn.standsIn)
+        throw failure ?? new Error(drawn?.standsIn)
+    return drawn
 }
 
 function answer(all: typeof waiting): void {
-    all.forEach(resolve => resolve(refusal))
+    all.forEach(resolve => resolve(refusal()))
 }
 
 async function draw(now: State): Promise<void> {
-    refusal = ''
+    failure = undefined
     try {
         const missing = await missingOf(now), seen = await view(missing.length ? without(now, missing) : now)
         const picture = await ask('draw', wordsOf(seen.state))
-        put({ ...picture, ...seen, asked: now, standsIn: missing.length > 0 })
+        const standsIn = missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : ''
+        put({ ...picture, ...seen, asked: now, standsIn })
         forgetOld(now)
-        if (missing.length || told !== still(now))
-            print(missing.length ? `${now[missing[0]]}: this ${missing[0] === 'mesh' ? 'mesh' : 'map'} is not here; drop or choose the file` : '', picture.warnings)
+        if (standsIn || told !== still(now))
+            print(standsIn, picture.warnings)
         else
             list(picture.warnings)
     } catch (error) {
         if (error instanceof Stopped)
             throw error
-        refusal = error instanceof NotHere ? '' : (error as Error).message
-        print((error as Error).message)
+        failure = error as Error
+        print(failure.message)
         const inPlace = !drawn && now !== start && await ask('draw', wordsOf(start)).catch(() => undefined) // there is no last good picture
         if (inPlace)
-            put({ ...inPlace, state: start, asked: start, standsIn: true })
+            put({ ...inPlace, state: start, asked: start, standsIn: failure.message })
     }
 }
 
@@ -105,7 +116,7 @@ export async function redraw(): Promise<void> {
         try {
             await draw(now)
         } catch {
-            refusal = stopped
+            failure = new Stopped(stopped)
             asked.push(...waiting.splice(0)) // what they wait for is taken back
             isStopped()
         }
@@ -161,6 +172,8 @@ setInterval(() => {
 byId('stop').onclick = () => {
     working?.()
     stop()
+    if (!busy) // the new worker has drawn nothing, and is asked about the picture
+        void redraw()
 }
 /** Work of several steps, and what ends it. */
 export function setWorking(end?: () => void): void {
