@@ -403,6 +403,49 @@ run([
         })
         await browser.until(() => document.getElementById('file-status').textContent === 'The browser makes no picture of this size; choose a smaller panel or zoom')
     }],
+    ['a light is added beside the one that an address does not name', async () => {
+        await browser.go('scene=coin&size=64x48')
+        await press('Add a light')
+        equal((await shownIsDrawn()).filter(word => /^--(light|point)=/.test(word)).join(' '), '--light=-1,1,1 --point=19,14,14,96', 'the lights')
+    }],
+    ['of an address with thousands of lights no more are listed than tell why it is refused, and one that is removed leads out of it', async () => {
+        await browser.go('scene=coin&size=64x48' + '&light=-1,1,1'.repeat(5000))
+        check((await browser.text('refusal')).startsWith('--light: more than 4 lights'), await browser.text('refusal'))
+        equal(await page.evaluate(() => [document.querySelectorAll('#lights .row').length, document.querySelectorAll('.handle').length].join()), '5,5', 'rows and suns')
+        await page.evaluate(() => document.querySelector('[aria-label="Light 5: remove"]').click())
+        equal((await shownIsDrawn()).filter(word => word.startsWith('--light=')).length, 4, 'lights')
+    }],
+    ['the focus stays in a light\'s row as its kind changes, and in the list as it is removed', async () => {
+        const focused = () => page.evaluate(() => document.activeElement.getAttribute('aria-label'))
+        await browser.go('scene=coin&size=64x48&light=-1,1,1&light=1,1,1&light=0,1,1')
+        await browser.tab('light')
+        await page.focus('[aria-label="Light 2: kind"]')
+        await page.select('[aria-label="Light 2: kind"]', 'point')
+        check((await shownIsDrawn()).some(word => word.startsWith('--point=')), 'its kind')
+        equal(await focused(), 'Light 2: kind', 'the focus, of another kind')
+        for (const expected of ['Light 2: remove', 'Light 1: move it in the picture']) {
+            await page.focus('[aria-label="Light 2: remove"]')
+            await page.keyboard.press('Enter')
+            await shownIsDrawn()
+            equal(await focused(), expected, 'the focus')
+        }
+    }],
+    ['undo while the light circles ends that, and what was undone can be done again', async () => {
+        await browser.go(start)
+        await browser.set('control-n', '77')
+        await shownIsDrawn()
+        await page.click('#orbit')
+        await frames(10)
+        const pressed = () => page.evaluate(() => document.getElementById('orbit').getAttribute('aria-pressed'))
+        for (const expected of [start.replace('size=64x48&', 'size=64x48&n=77&'), start]) {
+            await page.click('#undo')
+            await frames(10)
+            equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(expected)).join(' '), 'the state')
+            equal(await pressed(), 'false', 'whether it circles')
+        }
+        await page.click('#redo')
+        check((await shownIsDrawn()).includes('-n77'), 'done again')
+    }],
     ['files are of one picture, whatever is changed as they are saved; one that stands in for another is not saved', async () => {
         await browser.go(start)
         await browser.tab('output')

@@ -8,6 +8,7 @@ import type { Facts } from './engine'
 import { onDrawn } from './picture'
 import { shapes } from './stage'
 import { canRedo, canUndo, change, current, onChange, redo, reset, undo } from './store'
+import { beginMotion } from './sun'
 import { explainAgain, onShown, shownGroup } from './tabs'
 import type { Group } from './tabs'
 import { isGrainMap, isMesh, wordsOf } from './words'
@@ -370,9 +371,15 @@ const updates = table.map(row => {
 })
 
 const undoButton = byId<HTMLButtonElement>('undo'), redoButton = byId<HTMLButtonElement>('redo')
-undoButton.onclick = undo
-redoButton.onclick = redo
-byId('reset').onclick = reset
+/** What moves would move on from there at once. */
+const still = (work: () => void) => () => {
+    beginMotion()
+    work()
+}
+const [undoStill, redoStill] = [undo, redo].map(still)
+undoButton.onclick = undoStill
+redoButton.onclick = redoStill
+byId('reset').onclick = still(reset)
 addEventListener('keydown', event => {
     if (!(event.ctrlKey || event.metaKey) || event.target instanceof HTMLInputElement && /text|number/.test(event.target.type))
         return
@@ -381,9 +388,9 @@ addEventListener('keydown', event => {
         return
     event.preventDefault()
     if (key === 'y' || event.shiftKey)
-        redo()
+        redoStill()
     else
-        undo()
+        undoStill()
 })
 
 let facts: Facts | undefined

@@ -4,8 +4,8 @@ import { disable, onRefusals } from './controls'
 import { byId, make, short } from './dom'
 import { lastDrawn, onDrawn } from './picture'
 import { change, current, onChange } from './store'
-import { selectedLight, selectLight } from './sun'
-import { lightKinds } from './words'
+import { lights, selectedLight, selectLight } from './sun'
+import { lightKinds, lightsMax } from './words'
 import type { Light, LightKind } from './words'
 
 const list = byId('lights'), add = byId<HTMLButtonElement>('add-light')
@@ -13,7 +13,6 @@ const list = byId('lights'), add = byId<HTMLButtonElement>('add-light')
 const counts: Record<LightKind, number> = { light: 3, point: 4, spot: 8 }
 const titles: Record<LightKind, string> = { light: 'Sun', point: 'Lamp', spot: 'Spot' }
 const forms: Record<LightKind, string> = { light: 'x,y,z to the light', point: 'x,y,z,range in pixels', spot: 'x,y,z,target x,y,range,inner°,outer°' }
-const lightsMax = 4
 
 function fresh(kind: LightKind): string {
     const { width, height } = lastDrawn() ?? { width: 240, height: 240 }
@@ -23,9 +22,9 @@ function fresh(kind: LightKind): string {
 }
 
 function withLight(i: number, light?: Light): Light[] {
-    const lights = current().lights.slice()
-    lights.splice(i, 1, ...light ? [light] : [])
-    return lights
+    const all = current().lights.slice()
+    all.splice(i, 1, ...light ? [light] : [])
+    return all
 }
 const put = (i: number, light?: Light, kind = '') => change({ lights: withLight(i, light) }, kind)
 
@@ -37,7 +36,10 @@ let built = ''
 const updates: (() => void)[] = []
 let questions: Parameters<typeof onRefusals>[0] = () => []
 
+/** The focus stays in its row, or where that is gone in the next one, or the last. */
 function build(): void {
+    const rowOf = document.activeElement?.closest('#lights > .row'), row = [...list.children].indexOf(rowOf as Element)
+    const place = rowOf ? [...rowOf.querySelectorAll('button, select, input')].indexOf(document.activeElement as Element) : 0
     updates.length = 0
     const asks: (typeof questions)[] = []
     list.replaceChildren(...current().lights.map((light, i) => {
@@ -76,6 +78,12 @@ function build(): void {
         return row
     }))
     questions = () => asks.flatMap(ask => ask())
+    updates.forEach(work => work())
+    if (rowOf) {
+        const controls = list.children[Math.min(row, list.childElementCount - 1)]?.querySelectorAll<HTMLButtonElement>('button, select, input')
+        const wanted = controls?.[place]
+        ;(wanted?.disabled ? controls?.[0] : wanted)?.focus()
+    }
 }
 
 function update(): void {
@@ -88,15 +96,16 @@ function update(): void {
     if (current().lights.length >= lightsMax)
         add.disabled = true
 }
+const withFresh = (): Light[] => [...lights(), { kind: 'point', text: fresh('point') }]
 onRefusals(() => [...questions(), {
-    patch: { lights: [...current().lights, { kind: 'point', text: fresh('point') }] },
+    patch: { lights: withFresh() },
     show: refusal => {
         disable(add, byId('group-light'), refusal)
         add.disabled ||= current().lights.length >= lightsMax
     },
 }])
 add.onclick = () => {
-    change({ lights: [...current().lights, { kind: 'point', text: fresh('point') }] })
+    change({ lights: withFresh() })
     selectLight(current().lights.length - 1)
 }
 onChange(update)

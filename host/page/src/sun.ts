@@ -11,7 +11,8 @@ const canvas = byId<HTMLCanvasElement>('canvas'), stage = byId('stage'), handles
 const usual: Light = { kind: 'light', text: '-1,1,1' }
 let selected = 0
 
-const lights = () => current().lights.length ? current().lights : [usual]
+/** The command's own where the state names none. */
+export const lights = () => current().lights.length ? current().lights : [usual]
 export const selectedLight = () => Math.min(selected, lights().length - 1)
 export function selectLight(i: number): void {
     selected = i
@@ -152,8 +153,8 @@ let turning = 0
 const orbit = byId('orbit'), isStill = matchMedia('(prefers-reduced-motion: reduce)')
 export const orbitAt = (turn: number): [number, number] => [.5 + .36 * Math.cos(2 * Math.PI * turn), .5 - .36 * Math.sin(2 * Math.PI * turn)]
 const isOn = (button: HTMLElement) => button.getAttribute('aria-pressed') === 'true'
-/** One motion at a time moves the light: the others end. */
-export function beginMotion(button: HTMLElement): void {
+/** One motion at a time moves the light: the others end; all of them, where it is moved otherwise. */
+export function beginMotion(button?: HTMLElement): void {
     for (const other of ['orbit', 'tilt', 'board-light'].map(id => byId(id)))
         if (other !== button && isOn(other))
             other.click()

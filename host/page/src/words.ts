@@ -11,6 +11,7 @@ const options = {
 export type Option = keyof typeof options
 export const lightKinds = ['light', 'point', 'spot'] as const
 export type LightKind = typeof lightKinds[number]
+export const lightsMax = 4
 export interface Light {
     kind: LightKind
     /** As the option's value. */
@@ -112,10 +113,12 @@ export function stateOfFragment(fragment: string): State {
             text = decodeURIComponent(text)
         } catch { /* a cut link: as it is */ }
         text = text.replace(/[\0-\x1f\x7f]/g, '\ufffd') // 0 ends a word on its way to the module; of the others a terminal makes keys
-        if (lightKinds.includes(name as LightKind))
-            state.lights.push({ kind: name as LightKind, text })
-        else if (Object.hasOwn(options, name))
+        if (lightKinds.includes(name as LightKind)) {
+            if (state.lights.length <= lightsMax) // one too many is refused as thousands are, for each of which there would be a row
+                state.lights.push({ kind: name as LightKind, text })
+        } else if (Object.hasOwn(options, name)) {
             state[name as Option] = text
+        }
     }
     return state
 }
