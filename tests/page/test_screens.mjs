@@ -132,6 +132,19 @@ run([
         const share = await page.evaluate(() => document.getElementById('stage').clientHeight / innerHeight)
         check(share >= .4, `the stage has ${share} of the height`)
     }]),
+    ['with letters of twice the size nothing but what lies below the picture is scrolled sideways', async () => {
+        for (const [width, height] of [[800, 600], [1366, 768]]) {
+            await browser.resize(width, height)
+            await browser.go(start.replace('coin', 'teapot') + '&background=9,9,9')
+            await browser.until(() => !document.getElementById('turn').hidden)
+            await page.evaluate(() => { document.documentElement.style.fontSize = '30px' })
+            for (const group of groups) {
+                await browser.tab(group)
+                const wide = await page.evaluate(() => ['html', 'body', 'header', '#scroller', '#tabs'].map(of => document.querySelector(of)).map(({ scrollWidth, clientWidth }) => scrollWidth - clientWidth).join())
+                equal(wide, '0,0,0,0,0', `${width}x${height}, ${group}: too wide by`)
+            }
+        }
+    }],
     ['every button below the picture is reached in windows of any width, while work goes on', async () => {
         for (const width of [320, 400, 560, 600, 640, 700, 800, 1000]) {
             await browser.resize(width, 480)
