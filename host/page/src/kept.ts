@@ -69,11 +69,14 @@ function open(): Promise<IDBDatabase> {
         })
         opening.catch(again)
     }
-    const late = new Promise<never>((_, reject) => setTimeout(() => {
-        patience = 0
-        reject(new Error('no answer'))
-    }, patience))
-    return Promise.race([opening, late])
+    let timer: ReturnType<typeof setTimeout>
+    const late = new Promise<never>((_, reject) => {
+        timer = setTimeout(() => {
+            patience = 0
+            reject(new Error('no answer'))
+        }, patience)
+    })
+    return Promise.race([opening, late]).finally(() => clearTimeout(timer))
 }
 
 /** Where a browser keeps nothing (a private window), a file lasts as long as the page. False: it has no room left for it. */
