@@ -403,6 +403,11 @@ run([
         })
         await browser.until(() => document.getElementById('file-status').textContent === 'The browser makes no picture of this size; choose a smaller panel or zoom')
     }],
+    ['an address with a panel of no known shape shows a square one', async () => {
+        await browser.go(start + '&panel=hidden%20drop')
+        equal(await page.evaluate(() => document.getElementById('bezel').className), 'bezel square', 'its class')
+        await shownIsDrawn()
+    }],
     ['a light is added beside the one that an address does not name', async () => {
         await browser.go('scene=coin&size=64x48')
         await press('Add a light')

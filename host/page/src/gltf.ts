@@ -82,6 +82,8 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         const matrix = times(parent, matrixOf(node))
         if (determinant(matrix) <= 0)
             refuse('has mirrored parts; apply their transforms before you export it')
+        if (found.length + own.length > nodesMost)
+            refuse(`has more than ${nodesMost} parts; export it as one mesh`)
         found.push(...own.map(primitive => ({ primitive, matrix })))
         node.children?.forEach(child => visit(child, depth + 1, matrix))
         used.push(...own.flatMap(({ material }) => material === undefined || used.includes(material) ? [] : [material]))

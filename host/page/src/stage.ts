@@ -10,7 +10,7 @@ const scales = [1 / 8, 1 / 4, 1 / 3, 1 / 2, 3 / 4, 1, 1.25, 1.5, 1.75, 2, 2.5, .
 let chosen: number | undefined // none: as large as fits
 
 export const shapes = ['square', 'round', 'none'] as const
-const shape = () => current().panel ?? 'square'
+const shape = () => shapes.find(name => name === current().panel) ?? 'square' // else an address could name any class
 
 function fitting(): number {
     const { paddingLeft, marginLeft } = getComputedStyle(bezel), around = 2 * (parseFloat(paddingLeft) + parseFloat(marginLeft))
