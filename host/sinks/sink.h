@@ -107,8 +107,8 @@ struct sink_shader {
     enum sink_result (*send_scene)(struct sink *sink, const struct light_material *material, const uint32_t *normals);
     /* Where it shows its own, that one's light. */
     enum sink_result (*send_light)(struct sink *sink, const int32_t to_light[3], size_t *bytes);
-    /* The mesh that lies in the device; false: there is none. Then its material, and poses instead of lights. */
-    bool (*find_mesh)(struct sink *sink, struct light_mesh *mesh);
+    /* The mesh that lies in the device, if it holds one. Then its material, and poses instead of lights. */
+    enum sink_result (*find_mesh)(struct sink *sink, struct light_mesh *mesh, bool *holds_one);
     enum sink_result (*send_mesh)(struct sink *sink, const struct light_material *material);
     enum sink_result (*send_pose)(struct sink *sink, const struct light_pose *pose, size_t *bytes);
     /* Where the room's light is, as the device's own sensor has it: about 2^15 long. Ends the program where it has none. */

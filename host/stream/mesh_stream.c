@@ -104,9 +104,10 @@ static const char *held_by(const struct mesh_stream *stream)
     return text;
 }
 
-void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
+enum sink_result mesh_device_find(struct mesh_stream *stream, struct sink *sink)
 {
     struct light_mesh there;
+    bool holds_one;
     if (stream->fitted->mesh.part_count > 1)
         fail("--shade device: a device draws a mesh in one material, and this one has %u; leave it out",
              (unsigned)stream->fitted->mesh.part_count);
@@ -116,7 +117,10 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
     if (stream->fitted->mesh.textures)
         fail("--shade device: a device draws a mesh in one colour, and this one has textures; leave it out, or give "
              "--no-textures");
-    if (!sink->kind->shader->find_mesh(sink, &there))
+    const enum sink_result result = sink->kind->shader->find_mesh(sink, &there, &holds_one);
+    if (result != SINK_SENT)
+        return result;
+    if (!holds_one)
         fail("--shade device: %s holds no mesh; leave it out", sink->name);
     if (!mesh_in_device(&there, stream->fitted) && !stream->canvas && there.split >= 1 && there.split <= 180)
         split_as(stream, there.split);
@@ -124,6 +128,7 @@ void mesh_device_find(struct mesh_stream *stream, struct sink *sink)
         fail("--shade device: %s holds another mesh, of %u vertices and %u triangles; leave it out, or "
              "build the board's firmware with %s",
              sink->name, there.vertices, there.faces, held_by(stream));
+    return SINK_SENT;
 }
 
 enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink)
@@ -132,8 +137,8 @@ enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink)
     const char *refusal = mesh_in_device_refusal(&stream->view, &stream->shadings[0], stream->behind, &material);
     if (refusal)
         fail("--shade device: %s", refusal);
-    mesh_device_find(stream, sink); /* it may be another one by now */
-    return sink->kind->shader->send_mesh(sink, &material);
+    const enum sink_result found = mesh_device_find(stream, sink); /* it may be another one by now */
+    return found == SINK_SENT ? sink->kind->shader->send_mesh(sink, &material) : found;
 }
 
 enum sink_result mesh_device_send_pose(struct mesh_stream *stream, struct sink *sink, double seconds,

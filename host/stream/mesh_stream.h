@@ -14,9 +14,9 @@ void mesh_stream_start(struct mesh_stream *stream, const struct shading *shading
 /* The picture so many seconds after the start, under the shading's light. */
 void mesh_stream_draw(struct mesh_stream *stream, double seconds, const struct shading *shading, uint8_t *pixels);
 
-/* To a device that holds the mesh: looks for it, before the start, and ends the program where it does not; what it draws it by; where the
+/* To a device that holds the mesh: looks for it, before the start, and ends the program where it holds none or another; what it draws it by; where the
  * mesh is so many seconds after the start. */
-void mesh_device_find(struct mesh_stream *stream, struct sink *sink);
+enum sink_result mesh_device_find(struct mesh_stream *stream, struct sink *sink);
 enum sink_result mesh_device_send(struct mesh_stream *stream, struct sink *sink);
 enum sink_result mesh_device_send_pose(struct mesh_stream *stream, struct sink *sink, double seconds,
                                        const struct shading *shading, struct plan_result *result);

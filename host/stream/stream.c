@@ -74,6 +74,38 @@ static struct sink *open_wished(const struct stream *stream)
     return sink_open(stream->options->kind, stream->options->shade_device, &stream->wish);
 }
 
+/* Looks for the device again, which must have the same size and format as before. */
+static bool find_again(struct stream *stream)
+{
+    const struct sink old = *open_sink;
+    close_sink();
+    stream->known = false;
+    open_sink = open_wished(stream);
+    if (!open_sink)
+        return false;
+    if (open_sink->width != old.width || open_sink->height != old.height || open_sink->format != old.format)
+        fail("%s: came back as a display of %ux%u in %s, not %ux%u in %s; start again to use it", open_sink->name,
+             open_sink->width, open_sink->height, format_names[open_sink->format], old.width, old.height,
+             format_names[old.format]);
+    if (stream->plan) {
+        plan_free(stream->plan);
+        stream->plan = plan_new(open_sink);
+    }
+    return true;
+}
+
+/* The device's mesh, as often as the device comes back. False where interrupted. */
+static bool find_mesh(struct stream *stream)
+{
+    for (;;) {
+        const enum sink_result found = mesh_device_find(stream->mesh, open_sink);
+        if (found == SINK_SENT)
+            return true;
+        if (found == SINK_INTERRUPTED || !find_again(stream))
+            return false;
+    }
+}
+
 /* False where interrupted. */
 static bool start(struct stream *stream)
 {
@@ -97,8 +129,9 @@ static bool start(struct stream *stream)
     stream->shading =
         shading_of_options(&options->look, sink->format, stream->scene ? &stream->scene->finish : &plain_finish);
     shading_options_check(NULL, &options->look, &stream->shading);
-    if (stream->mesh && sink->shades)
-        mesh_device_find(stream->mesh, open_sink);
+    if (stream->mesh && sink->shades && !find_mesh(stream))
+        return false;
+    sink = open_sink; /* it may be another one by now */
     if (stream->mesh)
         mesh_stream_start(stream->mesh, &stream->shading, sink->width, sink->height);
     else if (stream->scene)
@@ -124,26 +157,6 @@ static void end(struct stream *stream)
     scene_free(stream->scene);
     free(stream->pixels[0]);
     free(stream->pixels[1]);
-}
-
-/* Looks for the device again, which must have the same size and format as before. */
-static bool find_again(struct stream *stream)
-{
-    const struct sink old = *open_sink;
-    close_sink();
-    stream->known = false;
-    open_sink = open_wished(stream);
-    if (!open_sink)
-        return false;
-    if (open_sink->width != old.width || open_sink->height != old.height || open_sink->format != old.format)
-        fail("%s: came back as a display of %ux%u in %s, not %ux%u in %s; start again to use it", open_sink->name,
-             open_sink->width, open_sink->height, format_names[open_sink->format], old.width, old.height,
-             format_names[old.format]);
-    if (stream->plan) {
-        plan_free(stream->plan);
-        stream->plan = plan_new(open_sink);
-    }
-    return true;
 }
 
 /* To a device that shades: the scene if it does not have it yet and shows not its own, and the light, or the mesh's pose. */

@@ -107,6 +107,14 @@ const struct usb_device *usb_choose(const struct usb_found *found, const struct 
     return NULL;
 }
 
+void usb_remember(const struct usb_device *device)
+{
+    static char serial[sizeof device->serial];
+    usb_options.id = device->id;
+    if (!usb_options.serial && *device->serial)
+        usb_options.serial = strcpy(serial, device->serial);
+}
+
 bool usb_may_pass(enum usb_attempt attempt, unsigned *denied)
 {
     enum { DENIED_TRIES = 8 };

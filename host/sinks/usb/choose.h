@@ -18,6 +18,8 @@ const struct usb_device *usb_choose(const struct usb_found *found, const struct 
                                     size_t size, enum usb_attempt *attempt);
 /* Why a device that was found cannot be used, and whether it may work later. */
 enum usb_attempt usb_unusable(const struct usb_device *device, char *line, size_t size);
+/* Once it is opened, the one that is looked for from then on: if it is unplugged, --wait waits for this one. */
+void usb_remember(const struct usb_device *device);
 /* Whether another attempt may go better; `denied` counts those in a row that ended so, of which there are few. */
 bool usb_may_pass(enum usb_attempt attempt, unsigned *denied);
 

@@ -162,6 +162,8 @@ static struct light_sink *try_open(const struct sink_wish *wish, char *line, siz
     const struct usb_device *device = usb_choose(&found, &any, line, size, attempt);
     if (device)
         *attempt = connect_shader(light, device, wish, line, size);
+    if (*attempt == USB_TRY_OPENED)
+        usb_remember(device);
     usb_found_free(&found);
     light->is_demo = wish->demo;
     if (*attempt == USB_TRY_OPENED)
@@ -189,6 +191,17 @@ static struct sink *open_shader(const struct sink_wish *wish)
 
 /* ---- what is sent ---- */
 
+/* What is unplugged in the middle of a transfer may fail in another way first; a moment later the system knows. */
+static bool is_gone(struct light_sink *light, int fault)
+{
+    enum { MOMENT_MS = 300 };
+    uint8_t status;
+    if (fault != GUD_LINK_ERROR)
+        return fault == GUD_LINK_GONE;
+    usb_pause_ms(MOMENT_MS);
+    return light->link.control(&light->port, true, LIGHT_GET_STATUS, 0, &status, 1) == GUD_LINK_GONE;
+}
+
 /* What a fault means for the stream. */
 static enum sink_result result_of(struct light_sink *light, int fault, const char *what)
 {
@@ -196,7 +209,7 @@ static enum sink_result result_of(struct light_sink *light, int fault, const cha
         return SINK_SENT;
     if (fault == GUD_LINK_STOPPED || stream_stopped())
         return SINK_INTERRUPTED;
-    light->gone = fault == GUD_LINK_GONE;
+    light->gone = is_gone(light, fault);
     if (!light->gone)
         fail("%s: %s: %s; plug it in again", light->name, what, gud_fault_words((enum gud_link_fault)fault));
     if (!usb_options.wait)
@@ -272,14 +285,16 @@ static enum sink_result send_light(struct sink *sink, const int32_t to_light[3],
     return send_message(light, message, LIGHT_MESSAGE_BYTES, "a light");
 }
 
-static bool find_mesh(struct sink *sink, struct light_mesh *mesh)
+/* Those that hold none refuse to tell of it. */
+static enum sink_result find_mesh(struct sink *sink, struct light_mesh *mesh, bool *holds_one)
 {
     struct light_sink *light = of(sink);
     uint8_t bytes[LIGHT_MESH_BYTES];
-    if (light->link.control(&light->port, true, LIGHT_GET_MESH, 0, bytes, sizeof bytes) != sizeof bytes)
-        return false;
-    light_mesh_unpack(mesh, bytes);
-    return true;
+    const int got = light->link.control(&light->port, true, LIGHT_GET_MESH, 0, bytes, sizeof bytes);
+    *holds_one = got == sizeof bytes;
+    if (*holds_one)
+        light_mesh_unpack(mesh, bytes);
+    return result_of(light, got < 0 && got != GUD_LINK_STALL ? got : 0, "its mesh");
 }
 
 static enum sink_result send_mesh(struct sink *sink, const struct light_material *material)

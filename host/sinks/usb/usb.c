@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * A USB display that speaks GUD, driven by libusb: which one, its frames, and what goes wrong on the way. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -94,15 +93,6 @@ static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_d
 
 /* ---- the sink's functions ---- */
 
-/* If it is unplugged, --wait waits for this one. */
-static void remember(const struct usb_device *device)
-{
-    static char serial[sizeof device->serial];
-    usb_options.id = device->id;
-    if (!usb_options.serial && *device->serial)
-        usb_options.serial = strcpy(serial, device->serial);
-}
-
 static struct usb_sink *new_sink(void)
 {
     struct usb_sink *usb = allocate(1, sizeof *usb);
@@ -129,7 +119,7 @@ static enum usb_attempt try_open(const struct sink_wish *wish, struct usb_sink *
     if (device)
         attempt = connect_display(usb, device, wish, line, size);
     if (attempt == USB_TRY_OPENED)
-        remember(device);
+        usb_remember(device);
     usb_found_free(&found);
     usb->detached = was_detached |= usb->detached;
     if (attempt == USB_TRY_OPENED)
