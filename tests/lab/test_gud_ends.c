@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #define FOLDER "/sys/kernel/config/usb_gadget/glint"
+#define ANOTHER "/sys/kernel/config/usb_gadget/another"
 #define MOUNT "/dev/ffs-glint"
 #define OPTIONS "--size 61x47 --formats rgb565"
 
@@ -82,6 +83,34 @@ static void a_gadget_of_the_same_name_is_left_alone(void **state)
     assert_int_equal(run("rmdir " FOLDER), 0);
 }
 
+/* Of another gadget, whose function has the same name. */
+static void a_mount_of_another_program_is_left_alone(void **state)
+{
+    (void)state;
+    assert_int_equal(run("mountpoint -q /sys/kernel/config || mount -t configfs none /sys/kernel/config"), 0);
+    assert_int_equal(run("mkdir -p " ANOTHER "/functions/ffs.glint " MOUNT " && mount -t functionfs glint " MOUNT), 0);
+    process_start(&gadget, "$GADGET " OPTIONS);
+    assert_int_equal(process_end(&gadget, 0), 1);
+    assert_int_equal(run("mountpoint -q " MOUNT), 0);
+    assert_int_equal(access(FOLDER, F_OK), -1);
+    assert_int_equal(run("umount " MOUNT " && rmdir " MOUNT " " ANOTHER "/functions/ffs.glint " ANOTHER), 0);
+}
+
+/* Killed after its first step, and before its last. */
+static void what_one_that_was_killed_left_does_not_hold_up_the_next(void **state)
+{
+    (void)state;
+    for (unsigned i = 0; i < 2; i++) {
+        assert_int_equal(run("mkdir " FOLDER), 0);
+        if (i)
+            assert_int_equal(run("echo 0x1d50 >" FOLDER "/idVendor"), 0);
+        process_start(&gadget, "$GADGET " OPTIONS);
+        process_wait_for(&gadget, "on the bus");
+        assert_int_equal(process_end(&gadget, SIGTERM), 0);
+        assert_nothing_is_left("one that was killed");
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -89,6 +118,8 @@ int main(void)
         cmocka_unit_test_teardown(that_nobody_reads_its_messages_does_not_end_it, lab_clean),
         cmocka_unit_test_teardown(a_last_picture_that_cannot_be_written_is_told_by_the_status, lab_clean),
         cmocka_unit_test_teardown(a_gadget_of_the_same_name_is_left_alone, lab_clean),
+        cmocka_unit_test_teardown(a_mount_of_another_program_is_left_alone, lab_clean),
+        cmocka_unit_test_teardown(what_one_that_was_killed_left_does_not_hold_up_the_next, lab_clean),
     };
     return cmocka_run_group_tests_name("gud ends", tests, NULL, NULL);
 }

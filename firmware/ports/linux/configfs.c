@@ -18,7 +18,7 @@
 enum { NAME_ROOM = 512 };
 
 static char gadget[NAME_ROOM / 2], mounted[NAME_ROOM / 2], controller[256], instance[64];
-static bool created, plugged; /* plugged: as wanted */
+static bool created, is_mounted, plugged; /* plugged: as wanted */
 
 static void path_of(char path[NAME_ROOM], const char *entry)
 {
@@ -73,7 +73,9 @@ static void take_down(void)
 {
     static const char *const folders[] = {"configs/c.1/strings/0x409", "configs/c.1", "strings/0x409", NULL, ""};
     char path[NAME_ROOM], entry[NAME_ROOM / 2];
-    umount2(mounted, MNT_DETACH);
+    if (is_mounted)
+        umount2(mounted, MNT_DETACH);
+    is_mounted = false;
     rmdir(mounted);
     snprintf(entry, sizeof entry, "configs/c.1/%s", instance);
     path_of(path, entry);
@@ -200,6 +202,7 @@ static void mount_function(const struct options *options)
         fail("%s: %s", link, strerror(errno));
     if ((mkdir(mounted, 0700) != 0 && errno != EEXIST) || mount(options->name, mounted, "functionfs", 0, NULL) != 0)
         fail("%s: cannot be mounted: %s", mounted, strerror(errno));
+    is_mounted = true;
 }
 
 static bool is_bound(void)
@@ -216,10 +219,14 @@ const char *configfs_create(const struct options *options)
     snprintf(mounted, sizeof mounted, "/dev/ffs-%s", options->name);
     if (is_bound())
         fail("%s: in use by another program; end it, or give another --name", gadget);
-    if (access(gadget, F_OK) == 0 && !has_function())
+    /* Without a function it is ours only where nothing at all is in it, as between two steps of one that was killed. */
+    if (access(gadget, F_OK) == 0 && !has_function() && rmdir(gadget) != 0)
         fail("%s: %s%s", gadget, strerror(EEXIST), remedy(EEXIST));
     find_controller(options->udc);
-    take_down(); /* of one that was killed */
+    if (has_function()) { /* of one that was killed */
+        is_mounted = true;
+        take_down();
+    }
     if (mkdir(gadget, 0755) != 0)
         fail("%s: %s%s", gadget, strerror(errno), remedy(errno));
     created = true;

@@ -108,13 +108,20 @@ static void dump_shown(void *context)
     dump(shown);
 }
 
+/* However the program ends: the framebuffer is black. */
+static void darken(void)
+{
+    gud_device_reset(&shown->device);
+}
+
 bool display_run(struct display *display, const struct options *options, const struct usb_function *function)
 {
     shown = display;
+    atexit(darken);
     functionfs_hold_signals();
     functionfs_run(configfs_create(options), function, options->verbose, dump_shown);
     configfs_remove();
-    gud_device_reset(&display->device); /* the framebuffer is black */
+    darken();
     const bool good = picture_write(&display->picture);
     if (options->verbose)
         fprintf(stderr, "%lu rectangles, %lu with faults, %llu bytes\n", display->rectangles, display->faults,

@@ -34,6 +34,8 @@ static pthread_cond_t work = PTHREAD_COND_INITIALIZER; /* the bulk thread waits 
 static pthread_cond_t progress;                        /* the control thread waits for the bulk thread */
 static pthread_t bulk_thread;
 static bool configured, ending, reading, stopping;
+static bool
+    broken; /* a read failed: nothing is read until the next rectangle, or until the host configures the device */
 static unsigned long reads; /* finished */
 
 /* ---- descriptors ---- */
@@ -106,7 +108,7 @@ static void *bulk_loop(void *nothing)
     static uint8_t chunk[CHUNK_BYTES];
     pthread_mutex_lock(&lock);
     while (!ending) {
-        const uint32_t expected = configured && !stopping ? function->expects(function->context) : 0;
+        const uint32_t expected = configured && !stopping && !broken ? function->expects(function->context) : 0;
         if (expected == 0) {
             pthread_cond_wait(&work, &lock);
             continue;
@@ -121,7 +123,7 @@ static void *bulk_loop(void *nothing)
         if (count > 0)
             function->bulk(function->context, chunk, (size_t)count);
         else if (count < 0 && error != EINTR)
-            configured = false; /* until the next FUNCTIONFS_ENABLE */
+            broken = true;
         pthread_cond_broadcast(&progress);
     }
     pthread_mutex_unlock(&lock);
@@ -155,8 +157,8 @@ static void wait_progress(long ms)
 static void let_bulk_arrive(void)
 {
     unsigned long before = reads - 1;
-    for (unsigned i = 0; i < READS_UNDER_WAY && configured && before != reads && function->expects(function->context);
-         i++) {
+    for (unsigned i = 0;
+         i < READS_UNDER_WAY && configured && !broken && before != reads && function->expects(function->context); i++) {
         before = reads;
         wait_progress(GRACE_MS);
     }
@@ -205,6 +207,7 @@ static void answer(const struct usb_ctrlrequest *request)
     if (!in && setup.request == GUD_SET_BUFFER) {
         let_bulk_arrive();
         stop_reading();
+        broken = false;
     }
     const int length = function->setup(function->context, &setup, reply);
     pthread_mutex_unlock(&lock);
@@ -246,6 +249,7 @@ static void take_event(const struct usb_functionfs_event *event)
     case FUNCTIONFS_UNBIND:
         configured = false;
         stop_reading();
+        broken = false;
         function->event(function->context, USB_RESET);
         configured = event->type == FUNCTIONFS_ENABLE;
         pthread_cond_signal(&work);
@@ -343,6 +347,7 @@ void functionfs_run(const char *folder, const struct usb_function *run, bool tel
     fflush(stdout);
     serve(dump);
     pthread_mutex_lock(&lock);
+    let_bulk_arrive(); /* the last picture is whole where it can be */
     ending = true;
     stop_reading();
     pthread_mutex_unlock(&lock);
