@@ -5,6 +5,7 @@
 #include "lab.h"
 
 #include <signal.h>
+#include <stdio.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
@@ -48,6 +49,22 @@ static void that_nobody_reads_its_messages_does_not_end_it(void **state)
     assert_int_equal(process_end(&gadget, SIGTERM), 0);
     assert_nothing_is_left("messages that nobody reads");
     unlink("/run/messages");
+}
+
+/* Else a message would be an answer to the host. */
+static void closed_streams_are_no_endpoints(void **state)
+{
+    (void)state;
+    process_start(&gadget, "sh -c 'exec $GADGET " OPTIONS " <&- >&- 2>&-'");
+    wait_for_file("/dev/fb0");
+    for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++) {
+        char path[64], file[256] = "";
+        snprintf(path, sizeof path, "/proc/%d/fd/%d", (int)gadget.pid, i);
+        assert_true(readlink(path, file, sizeof file - 1) > 0);
+        assert_string_equal(file, "/dev/null");
+    }
+    assert_int_equal(process_end(&gadget, SIGTERM), 0);
+    assert_nothing_is_left("closed streams");
 }
 
 static void a_last_picture_that_cannot_be_written_is_told_by_the_status(void **state)
@@ -116,6 +133,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(interrupted_while_it_starts_it_leaves_nothing, lab_clean),
         cmocka_unit_test_teardown(that_nobody_reads_its_messages_does_not_end_it, lab_clean),
+        cmocka_unit_test_teardown(closed_streams_are_no_endpoints, lab_clean),
         cmocka_unit_test_teardown(a_last_picture_that_cannot_be_written_is_told_by_the_status, lab_clean),
         cmocka_unit_test_teardown(a_gadget_of_the_same_name_is_left_alone, lab_clean),
         cmocka_unit_test_teardown(a_mount_of_another_program_is_left_alone, lab_clean),
