@@ -205,3 +205,249 @@ static uint32_t claim_falloff(uint32_t square, uint32_t range_inverse, int32_t s
     const struct glint_reach reach = {.range_inverse = range_inverse, .range_exponent = (int8_t)(shift - 1)};
     return place_falloff_near(&reach, &e);
 }
+
+/* ---- Several lights ---- */
+
+CLAIM(coefficients_are_doubled_to_at_most_1_and_sums_halved_to_no_less)
+{
+    const uint32_t q16[3] = {any_u32(), any_u32(), any_u32()}, total = any_u32();
+    const unsigned down = lights_down(q16, total);
+    show(down <= 16);
+    show(down == 0 || total >> down >= 65536);
+    for (int k = 0; k < 3; k++)
+        show(glint_coefficient(q16[k]) << down <= 65536);
+}
+
+static void claim_lights(struct glint_light lights[GLINT_LIGHTS_MAX])
+{
+    for (unsigned i = 0; i < GLINT_LIGHTS_MAX; i++)
+        for (unsigned k = 0; k < 3; k++)
+            lights[i].color_q16[k] = any_u32();
+}
+
+CLAIM(lights_sum_to_at_most_64)
+{
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    claim_lights(lights);
+    show(lights_total(lights, GLINT_LIGHTS_MAX, 65536) <= 64 * 65536);
+}
+
+CLAIM(a_slack_of_several_lights_fits_in_16_bits)
+{
+    struct glint_light lights[GLINT_LIGHTS_MAX];
+    claim_lights(lights);
+    show(lights_total(lights, GLINT_LIGHTS_MAX, UINT8_MAX) <
+         UINT16_MAX - 2); /* the largest of a model: a smaller one sums to less */
+}
+
+/* A run of claim_count pixels, of which those of claim_open are to be drawn again. */
+enum { CLAIM_RUN = 4 };
+static uint32_t claim_count, claim_open;
+
+static void claim_lights_sum(struct glint_lights *lights, unsigned from, unsigned count, bool exact, bool is_one)
+{
+    (void)lights;
+    show(!is_one && from + count <= claim_count);
+    show(exact ? count == 1 && (claim_open >> from & 1) : from == 0 && count == claim_count);
+}
+
+static bool claim_lights_note(struct glint_lights *lights, unsigned from, unsigned count)
+{
+    (void)lights;
+    show(from + count <= claim_count);
+    return any_u32() & 1;
+}
+
+static bool claim_lights_fit(struct glint_lights *lights, unsigned count)
+{
+    (void)lights;
+    show(count == claim_count);
+    return any_u32() & 1;
+}
+
+static uint32_t claim_levels(const struct glint_paint *paint, const struct glint_run *run,
+                             const struct glint_sample *samples, unsigned count)
+{
+    (void)paint, (void)run, (void)samples;
+    show(count == claim_count);
+    claim_open = any_u32();
+    given(claim_open >> claim_count == 0);
+    return claim_open;
+}
+
+static void claim_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
+                        const struct glint_sample *sums, unsigned apart)
+{
+    (void)paint, (void)run, (void)sums, (void)apart;
+    show(i < claim_count && (claim_open >> i & 1));
+    claim_open &= ~((uint32_t)1 << i);
+}
+
+static const struct glint_use_format claim_format = {NULL, NULL, claim_levels, claim_exact, NULL};
+
+CLAIM(several_lights_draw_each_pixel_that_is_left_open_once_more_and_no_other)
+{
+    struct glint_paint paint;
+    struct glint_lights lights;
+    struct glint_run run;
+    INSTEAD_OF(lights_sum, claim_lights_sum);
+    INSTEAD_OF(lights_note, claim_lights_note);
+    INSTEAD_OF(lights_fit, claim_lights_fit);
+    INSTEAD_OF(glint_levels_apart, claim_levels);
+    paint.format = run.format = &claim_format;
+    paint.light_count = 2;
+    paint.output.format = GLINT_RGB565;
+    paint.output.space = GLINT_GAMMA;
+    paint.of.exact.high = 0;
+    run.apart = 0;
+    run.line = NULL;
+    run.x = 0;
+    run.coverage = NULL;
+    lights.paint = &paint;
+    lights.run = &run;
+    lights.is_boxed = any_u32() & 1;
+    lights.channels = any_u32() & 1 ? 1 : 3;
+    claim_count = any_u32();
+    given(1 <= claim_count && claim_count <= CLAIM_RUN);
+    claim_open = ((uint32_t)1 << claim_count) - 1;
+    lights_run(&lights, claim_count);
+    show(claim_open == 0);
+}
+
+static void claim_lights_begin(struct glint_lights *lights, const struct glint_paint *paint, bool is_boxed)
+{
+    (void)paint, (void)is_boxed;
+    lights->length = CLAIM_RUN;
+}
+
+static void claim_lines_set(struct glint_lines *lines, uint32_t y)
+{
+    (void)y;
+    lines->run.x = 0;
+}
+
+/* One run. */
+static bool claim_lines_next(struct glint_lines *lines)
+{
+    lines->count = (uint16_t)claim_count;
+    show(lines->most == CLAIM_RUN);
+    return lines->run.x == 0;
+}
+
+static const struct glint_vec *claim_normals(const struct glint_lines *lines, struct glint_vec *unpacked)
+{
+    (void)lines;
+    return unpacked;
+}
+
+static void claim_lights_run(struct glint_lights *lights, unsigned count)
+{
+    show(count == claim_count);
+    claim_open = any_u32();
+    given(claim_open >> claim_count == 0);
+    lights->shines = claim_open;
+}
+
+static void claim_bounds_add(struct glint_bounds *bounds, uint32_t x, uint32_t y)
+{
+    (void)bounds;
+    show(x < claim_count && y == 0 && (claim_open >> x & 1));
+    claim_open &= ~((uint32_t)1 << x);
+}
+
+CLAIM(what_shines_under_several_lights_is_added_to_the_box_and_nothing_else)
+{
+    static const struct glint_use_model model = {.grain = NULL};
+    struct glint_paint paint;
+    struct glint_lines lines;
+    struct glint_box box;
+    INSTEAD_OF(lights_begin, claim_lights_begin);
+    INSTEAD_OF(glint_lines_set, claim_lines_set);
+    INSTEAD_OF(glint_lines_next, claim_lines_next);
+    INSTEAD_OF(glint_lines_normals, claim_normals);
+    INSTEAD_OF(lights_run, claim_lights_run);
+    INSTEAD_OF(glint_bounds_add, claim_bounds_add);
+    paint.model = &model;
+    claim_count = any_u32();
+    given(1 <= claim_count && claim_count <= CLAIM_RUN);
+    lights_draw(&paint, &lines, NULL, 1, &box);
+    show(claim_open == 0);
+}
+
+/* ---- Coverage over tables ---- */
+
+/* A line, pixels before and behind it, which nothing is to touch, and coverage of the line alone; what is drawn is any. */
+enum { CLAIM_WIDE = GLINT_RUN + 2, CLAIM_GUARD = 0x5a };
+static uint8_t claim_line[2 * (1 + CLAIM_WIDE + 1)], claim_coverage[CLAIM_WIDE];
+
+static void claim_table_pixels(uint32_t x, uint32_t end)
+{
+    show(x < end && end <= CLAIM_WIDE && end - x <= GLINT_RUN); /* what is kept of the line before */
+    for (uint8_t *at = claim_line + 2 + 2 * x; at != claim_line + 2 + 2 * end; at++)
+        *at = (uint8_t)any_u16();
+}
+
+static void claim_table_line(const struct glint_paint *paint, const struct glint_lines *lines, uint32_t x, uint32_t end)
+{
+    (void)paint, (void)lines;
+    claim_table_pixels(x, end);
+}
+
+static void claim_table_run(const struct glint_paint *paint, const struct glint_run *run, const struct glint_raw *raws,
+                            unsigned count)
+{
+    (void)paint, (void)raws;
+    claim_table_pixels(run->x, run->x + count);
+}
+
+static const struct glint_use_tables claim_tables = {.line = claim_table_line, .pixels = claim_table_run};
+
+static uint16_t claim_over(uint32_t p, uint32_t q, uint32_t m)
+{
+    show(p >> 16 == 0 && q >> 16 == 0 && m < 255);
+    return any_u16();
+}
+
+static void claim_covered(struct glint_paint *paint, struct glint_run *run, uint8_t format, uint8_t least)
+{
+    for (unsigned i = 0; i < sizeof claim_line; i++)
+        claim_line[i] = i < 2 || i >= sizeof claim_line - 2 ? CLAIM_GUARD : (uint8_t)any_u16();
+    for (unsigned i = 0; i < CLAIM_WIDE; i++) {
+        claim_coverage[i] = (uint8_t)any_u16();
+        given(least <= claim_coverage[i] && claim_coverage[i] < 255);
+    }
+    INSTEAD_OF(glint_over, claim_over);
+    paint->of.tables.filled.use = &claim_tables;
+    paint->output.format = format;
+    run->line = claim_line + 2;
+    run->coverage = claim_coverage;
+    run->gloss = NULL;
+}
+
+static void claim_guards(void)
+{
+    const uint8_t *const end = claim_line + sizeof claim_line;
+    show(claim_line[0] == CLAIM_GUARD && claim_line[1] == CLAIM_GUARD && end[-1] == CLAIM_GUARD &&
+         end[-2] == CLAIM_GUARD);
+}
+
+CLAIM(a_line_by_tables_is_blended_where_it_lies_in_runs_that_fit)
+{
+    struct glint_paint paint;
+    struct glint_lines lines;
+    claim_covered(&paint, &lines.run, GLINT_RGB565, 1);
+    lines.run.x = 0;
+    lines.count = CLAIM_WIDE;
+    coverage_line(&paint, &lines);
+    claim_guards();
+}
+
+CLAIM(a_run_by_tables_is_blended_where_it_lies)
+{
+    struct glint_paint paint;
+    struct glint_run run;
+    claim_covered(&paint, &run, GLINT_RGB565_SWAPPED, 0);
+    run.x = CLAIM_WIDE - GLINT_RUN;
+    coverage_pixels(&run, &paint, NULL, GLINT_RUN);
+    claim_guards();
+}
