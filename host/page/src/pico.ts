@@ -22,7 +22,7 @@ export const sentences = {
     noLight: 'The board\'s firmware is too old to take a light for its own picture. Copy this version\'s glint.uf2 to the board, then connect again.',
     noSensor: 'The board has no accelerometer to take the light from.',
     silentSensor: 'The board\'s accelerometer does not answer. Unplug the board, plug it in, then connect again.',
-    busy: 'The device is busy with a picture that another program sends. Connect again.',
+    busy: 'The device waits for the rest of a picture that another program sends. Connect again, or plug it in again if nothing sends it.',
     unplugged: 'The device was unplugged. Plug it in, then connect again.',
     silent: 'The device does not answer. Unplug it, plug it in, then connect again.',
     stalled: 'The device stopped a transfer (STALL). Connect again.',

@@ -97,7 +97,8 @@ static enum usb_attempt find_interface(struct light_sink *light, const struct us
     return USB_TRY_NO_GOOD;
 }
 
-static const char busy_words[] = "it is busy with a picture; try again";
+static const char busy_words[] =
+    "it waits for the rest of a picture; try again, or plug it in again if nothing sends it";
 
 /* The display's own host may be drawing; that is soon done. A signal does not keep the panel from being given back. 0, or a fault. */
 static int enable(struct light_sink *light, uint8_t value, const char **why)
