@@ -363,8 +363,9 @@ run([
     }],
     ['a board that is slow keeps its connection as it shows its own picture and follows, whatever the light is', async () => {
         await board({ delay: 20 })
+        const own = () => page.evaluate(() => document.getElementById('board-own').click()) // the mouse may miss it: what is said of a light moves it
         for (let i = 0; i < 8; i++) {
-            await page.click('#board-own')
+            await own()
             await says('shows its own picture')
             for (const text of i ? [] : ['0,0,0', '0,0,-1', '-1,1,1.2']) {
                 const rounds = await page.evaluate(text => {
@@ -378,7 +379,7 @@ run([
                 await browser.until(rounds => globalThis.board.rounds > rounds + 4, since)
                 equal((await board()).given.length > 0, text === '-1,1,1.2', `whether the light ${text} is sent`)
             }
-            await page.click('#board-own')
+            await own()
             await says('16 bytes a frame')
         }
         await board({ delay: 0 })
