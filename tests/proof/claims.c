@@ -424,7 +424,7 @@ static void claim_covered(struct glint_paint *paint, struct glint_run *run, uint
     run->gloss = NULL;
 }
 
-static void claim_guards(void)
+static void show_guards(void)
 {
     const uint8_t *const end = claim_line + sizeof claim_line;
     show(claim_line[0] == CLAIM_GUARD && claim_line[1] == CLAIM_GUARD && end[-1] == CLAIM_GUARD &&
@@ -439,7 +439,7 @@ CLAIM(a_line_by_tables_is_blended_where_it_lies_in_runs_that_fit)
     lines.run.x = 0;
     lines.count = CLAIM_WIDE;
     coverage_line(&paint, &lines);
-    claim_guards();
+    show_guards();
 }
 
 CLAIM(a_run_by_tables_is_blended_where_it_lies)
@@ -449,5 +449,5 @@ CLAIM(a_run_by_tables_is_blended_where_it_lies)
     claim_covered(&paint, &run, GLINT_RGB565_SWAPPED, 0);
     run.x = CLAIM_WIDE - GLINT_RUN;
     coverage_pixels(&run, &paint, NULL, GLINT_RUN);
-    claim_guards();
+    show_guards();
 }
