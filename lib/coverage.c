@@ -245,10 +245,10 @@ static void coverage_line(const struct glint_paint *paint, const struct glint_li
 
 /* ---- Runs ---- */
 
-/* Where a level of coverage ends: 0, 255, or what is between. Four at a time, where all of them are the same. */
+/* Where the level of coverage at `at`, which is before stop, ends: 0, 255, or what is between. Four at a time, where all are the same. */
 static const uint8_t *coverage_end(const uint8_t *at, const uint8_t *stop)
 {
-    const uint8_t first = at == stop ? 0 : *at;
+    const uint8_t first = *at;
     if (first && first != 255) {
         while (at != stop && (uint8_t)(*at - 1) < 254)
             at++;
@@ -277,12 +277,13 @@ static uint32_t coverage_end_gaps(const struct glint_lines *lines, uint32_t x, u
     return x;
 }
 
+/* run.x < w */
 static void coverage_next(struct glint_lines *lines)
 {
     struct glint_run *const run = &lines->run;
     const uint8_t *const coverage = run->coverage, *const stop = coverage + lines->w, *at = coverage + run->x;
     const uint32_t *const words = lines->has_gaps ? (const uint32_t *)(const void *)lines->normals : NULL;
-    if (at != stop && !*at)
+    if (!*at)
         at = coverage_end(at, stop);
     while (words && at != stop && !(*at && words[at - coverage] >> 16))
         at++;

@@ -245,7 +245,7 @@ struct glint_mesh_rim *glint_mesh_rims_of(const struct glint_mesh_target *strip,
     struct glint_mesh_outlines *const outlines = drawn->outlines;
     struct glint_mesh_rim *const rim = outlines->rims + GLINT_MESH_RIMS;
     const struct glint_mesh_window window = {0, strip->y, strip->w, strip->end};
-    return outlines->rest != GLINT_MESH_NONE && rims_set(rim, strip, &window, face) ? rim : NULL;
+    return rims_set(rim, strip, &window, face) ? rim : NULL;
 }
 
 /* The lists of faces with outlines for those of all faces, and back. */

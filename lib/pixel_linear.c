@@ -12,7 +12,7 @@
 
 static bool linear_draws(const struct glint_output *output)
 {
-    return output->format < GLINT_FORMAT_COUNT && output->space == GLINT_LINEAR;
+    return output->space == GLINT_LINEAR;
 }
 
 /* By how much V is shifted down, of 14, so that V < 2^32 - 2^26: 3.03 65535 2^14 for light of 1.0. */

@@ -26,7 +26,7 @@ static uint16_t pixels[2][WIDTH];
 static struct relight_extent extents[HEIGHT];
 static struct relight relight;
 static struct glint_paint paint;
-static bool by_exact_pixels;
+static bool by_exact_pixels, is_dithered; /* exact ones alone */
 
 static void put_normal(unsigned x, unsigned y)
 {
@@ -62,8 +62,10 @@ static const struct hal *hal_in_use = &hal;
 
 static void make_paint(struct glint_paint *made, void *memory)
 {
-    assert_int_equal(by_exact_pixels ? glint_paint_exact(made, &demo_gold, &demo_output)
-                                     : glint_paint_tables(made, GLINT_TABLES_COLOUR, &demo_gold, &demo_output, memory,
+    struct glint_output output = demo_output;
+    output.dither = by_exact_pixels && is_dithered;
+    assert_int_equal(by_exact_pixels ? glint_paint_exact(made, &demo_gold, &output)
+                                     : glint_paint_tables(made, GLINT_TABLES_COLOUR, &demo_gold, &output, memory,
                                                           GLINT_TABLES_COLOUR_BYTES),
                      GLINT_OK);
 }
@@ -199,12 +201,13 @@ static void soft_edges_are_drawn_over_the_background_with_either_paint_on_one_co
             coverage[i] = !has_surface(x, i / WIDTH) ? 0 : is_edge ? (uint8_t)(1 + rand() % 255) : 255;
         }
         by_exact_pixels = seed % 3 == 0;
+        is_dithered = seed % 2;
         hal_in_use = seed & 4 ? &two_cores : &hal;
         other.late = seed & 1;
         start(seed & 2);
         run_frames(seed);
     }
-    by_exact_pixels = has_coverage = false;
+    by_exact_pixels = is_dithered = has_coverage = false;
     hal_in_use = &hal;
 }
 

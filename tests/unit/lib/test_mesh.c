@@ -411,6 +411,20 @@ static enum glint_err added(const struct glint_paint *paints, unsigned count, bo
     return glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, paints, work, sizeof work);
 }
 
+/* Lights paint so that of what its pixels are computed with H alone is not that of `of`. */
+static bool lit_with_another_half(struct glint_paint *paint, const struct glint_paint *of,
+                                  const struct glint_light *light)
+{
+    for (int i = 0; i < 1000; i++) {
+        struct glint_light other = *light;
+        other.direction_q30[below(3)] += (int32_t)below(20001) - 10000;
+        assert_int_equal(glint_paint_light(paint, &other, 1, in_front), GLINT_OK);
+        if (!memcmp(&paint->l, &of->l, sizeof of->l) && memcmp(&paint->h, &of->h, sizeof of->h))
+            return true;
+    }
+    return false;
+}
+
 static void paints_that_are_not_there_not_lit_or_lit_otherwise_are_refused(void **state)
 {
     (void)state;
@@ -442,6 +456,11 @@ static void paints_that_are_not_there_not_lit_or_lit_otherwise_are_refused(void 
             assert_int_equal(added(bad, 3, false, true), GLINT_ERR_ARG);
         }
         assert_int_equal(glint_paint_light(&bad[i], NULL, 0, in_front), GLINT_OK);
+        assert_int_equal(added(bad, 3, false, true), GLINT_ERR_ARG);
+        assert_true(lit_with_another_half(&bad[i], &paints[0], &look.light));
+        assert_int_equal(added(bad, 3, false, true), GLINT_ERR_ARG);
+        assert_int_equal(glint_light_point(&of_other[0], place, 2000), GLINT_OK); /* one, too */
+        assert_int_equal(glint_paint_light(&bad[i], of_other, 1, in_front), GLINT_OK);
         assert_int_equal(added(bad, 3, false, true), GLINT_ERR_ARG);
         of_other[0] = of_other[1] = look.light;
         assert_int_equal(glint_paint_light(&bad[i], of_other, 2, in_front), GLINT_OK);

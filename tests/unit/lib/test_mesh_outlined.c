@@ -7,7 +7,7 @@
 
 static struct made_mesh meshes[2];
 static struct model_picture model;
-static uint8_t pictures[2][MESH_W * MESH_H * 4];
+static uint8_t pictures[2][(MESH_W * 4 + 20) * MESH_H]; /* lines may lie apart */
 static const unsigned whole[] = {MESH_H}, odd[] = {1, 7, 16, 3, 40};
 static const struct mesh_cut at_once = {whole, 1, MESH_DOWN}, in_strips = {odd, 5, MESH_SHUFFLED};
 
@@ -229,6 +229,27 @@ static void outlines_of_any_meshes_do_not_depend_on_how_their_picture_is_cut(voi
     }
 }
 
+static void outlines_are_the_same_in_lines_that_lie_apart_and_beside_a_mesh_that_has_none(void **state)
+{
+    (void)state;
+    static struct any_picture p;
+    for (int i = 0; i < 80; i++) {
+        picture_at_random(&p, i);
+        if (i & 4)
+            meshes[i >> 3 & 1].mesh.neighbours = NULL;
+        const unsigned line = bytes_of(p.format, MESH_W), apart = line + 2 * (1 + below(9));
+        memset(pictures, GUARD, sizeof pictures);
+        meshes_picture(p.shown, 2, &in_strips, pictures[0], line);
+        meshes_picture(p.shown, 2, &in_strips, pictures[1], apart);
+        for (unsigned y = 0; y < MESH_H; y++) {
+            assert_memory_equal(pictures[1] + apart * y, pictures[0] + line * y, line);
+            for (unsigned x = line; x < apart; x++)
+                assert_int_equal(pictures[1][apart * y + x], GUARD);
+        }
+        picture_free(&p);
+    }
+}
+
 /* In any colours, under any lights. */
 static void pixels_that_no_outline_cuts_are_those_without_outlines(void **state)
 {
@@ -437,6 +458,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_are_those_of_the_sequence_by_any_paint),
         cmocka_unit_test(outlines_of_any_meshes_do_not_depend_on_how_their_picture_is_cut),
+        cmocka_unit_test(outlines_are_the_same_in_lines_that_lie_apart_and_beside_a_mesh_that_has_none),
         cmocka_unit_test(pixels_that_no_outline_cuts_are_those_without_outlines),
         cmocka_unit_test(outlines_in_one_colour_are_those_of_that_albedo),
         cmocka_unit_test(colours_at_an_outline_are_those_of_its_plane),

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Tables: what they are made and lit for, and what they refuse. */
+#include "mesh_colours.h"
 #include "tables_model.h"
 
 static uint32_t memory[GLINT_TABLES_DITHER_BYTES / 4], other_memory[GLINT_TABLES_DITHER_BYTES / 4];
@@ -196,12 +197,13 @@ static void tables_without_a_light_draw_the_ambient_part(void **state)
         struct glint_vec vectors[COUNT];
         struct glint_box box;
         look.output.dither = i & 1;
+        memset(out[0], GUARD, sizeof out[0]);
         paint_of_tables(&paint, GLINT_TABLES_COLOUR, &look, memory);
         assert_int_equal(glint_paint_light(&paint, NULL, 0, in_front), GLINT_OK);
         for (int p = 0; p < COUNT; p++) {
             vectors[p] = near_normal(&look);
             vectors[p].z |= 1;
-            words[p] = glint_normals_pack(GLINT_NORMALS_INT8, &vectors[p]);
+            words[p] = below(3) ? glint_normals_pack(GLINT_NORMALS_INT8, &vectors[p]) : 0; /* no surface */
         }
         const struct glint_surface surface = {out[0], 0, 1, 2}, exactly = {out[1], 0, 1, 2};
         struct glint_maps maps = {.normals = vectors};
@@ -216,6 +218,9 @@ static void tables_without_a_light_draw_the_ambient_part(void **state)
         memset(look.material.diffuse_q16, 0, sizeof look.material.diffuse_q16);
         memset(look.material.specular_q16, 0, sizeof look.material.specular_q16);
         assert_int_equal(draw_span(&look, &span, &exactly, NULL), GLINT_OK);
+        for (int p = 0; (i & 6) == 6 && p < COUNT; p++)
+            if (words[p] == 0)
+                out[1][p] = GUARD << 8 | GUARD;
         assert_memory_equal(out[0], out[1], sizeof out[0]);
     }
 }
@@ -352,6 +357,28 @@ static void eight_bit_normals_require_the_viewer_in_front_of_tables(void **state
         const struct glint_maps maps = {.normals = words, .normals_stride = 8, .normals_format = GLINT_NORMALS_INT8};
         paint_of(&paint, &look); /* the exact paint takes them */
         assert_int_equal(glint_draw_rect(&paint, &maps, 2, 2, &to_out, NULL), GLINT_OK);
+    }
+}
+
+static void eight_bit_normals_require_the_viewer_in_front_of_albedo_tables(void **state)
+{
+    (void)state;
+    static const int32_t from[][3] = {{1, 0, 4}, {0, 1, 4}, {0, 0, -1}, {1, 0, 200}, {0, 0, 1}};
+    static const int32_t to_light[3] = {0, 1, 1};
+    for (int i = 0; i < 5; i++) {
+        struct look look = look_for(GLINT_RGB565);
+        struct glint_paint paint;
+        assert_int_equal(look_light(&look, to_light, in_front), GLINT_OK);
+        assert_true(paint_of_albedo(&paint, &look, memory));
+        assert_int_equal(glint_paint_light(&paint, &look.light, 1, from[i]), GLINT_OK);
+        const uint16_t albedo[4] = {0};
+        const struct glint_maps maps = {.normals = words,
+                                        .normals_stride = 8,
+                                        .normals_format = GLINT_NORMALS_INT8,
+                                        .albedo = (const uint8_t *)albedo,
+                                        .albedo_stride = 4,
+                                        .albedo_format = GLINT_RGB565};
+        assert_int_equal(glint_draw_rect(&paint, &maps, 2, 2, &to_out, NULL), i < 4 ? GLINT_ERR_VECTOR : GLINT_OK);
     }
 }
 
@@ -492,6 +519,7 @@ int main(void)
         cmocka_unit_test(a_light_nearly_straight_behind_leaves_the_dark),
         cmocka_unit_test(colour_tables_of_linear_space_hold_its_pixels),
         cmocka_unit_test(eight_bit_normals_require_the_viewer_in_front_of_tables),
+        cmocka_unit_test(eight_bit_normals_require_the_viewer_in_front_of_albedo_tables),
         cmocka_unit_test(eight_bit_normals_take_every_light_that_a_paint_does),
         cmocka_unit_test(rectangles_by_tables_refuse_what_cannot_be),
         cmocka_unit_test(spans_and_palettes_refuse_what_cannot_be),
