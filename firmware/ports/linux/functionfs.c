@@ -34,8 +34,8 @@ static pthread_cond_t work = PTHREAD_COND_INITIALIZER; /* the bulk thread waits 
 static pthread_cond_t progress;                        /* the control thread waits for the bulk thread */
 static pthread_t bulk_thread;
 static bool configured, ending, reading, stopping;
-static bool
-    broken; /* a read failed: nothing is read until the next rectangle, or until the host configures the device */
+/* A read failed: nothing is read until the next rectangle, or until the host configures the device. */
+static bool broken;
 static unsigned long reads; /* finished */
 
 /* ---- descriptors ---- */
