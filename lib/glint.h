@@ -476,7 +476,7 @@ struct glint_span {
 /* From the normals of the first and last pixel, under the paint's light. The ends are exact to (w + 2) 2^-31, the middle to
  * (w^2 / 16 + w + 1) 2^-30. Subdivide where the normals are more than 20 degrees apart: between them N is not renormalised.
  * GLINT_ERR_ARG: NULL, w > GLINT_SPAN_MAX, a paint of zeros, never lit, or lit by a point, a spot or several lights.
- * GLINT_ERR_VECTOR: t > 3.75 or |nl| > 2 - 2^-17 (normals far from unit length). */
+ * GLINT_ERR_VECTOR: |nl| > 2 - 2^-17 (normals far from unit length). */
 enum glint_err glint_span_init(struct glint_span *span, const struct glint_paint *paint, const struct glint_vec *first,
                                const struct glint_vec *last, uint16_t w);
 enum glint_err glint_draw_span_by(const struct glint_paint *paint, const struct glint_span *span,

@@ -198,8 +198,9 @@ static uint32_t place_exact(const struct glint_light *light, const struct glint_
         att = place_cone(NULL, light, att, c, c);
     }
     (void)glint_vec_of_q30(&view->l, l, 0);
-    if (att == 0 || !glint_half_q30(l, l, sight->v_q30) || !glint_unit_q30(l, l))
+    if (att == 0 || !glint_half_q30(l, l, sight->v_q30))
         return 0;
+    (void)glint_unit_q30(l, l); /* it is not 0 */
     (void)glint_vec_of_q30(&view->h, l, 0);
     return att;
 }

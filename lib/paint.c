@@ -252,8 +252,9 @@ enum glint_err glint_light_directional(struct glint_light *light, const int32_t 
 bool glint_light_half(struct glint_vec *h, const int32_t l_q30[3], const int32_t v_q30[3])
 {
     int32_t half[3];
-    if (!glint_half_q30(half, l_q30, v_q30) || !glint_unit_q30(half, half))
+    if (!glint_half_q30(half, l_q30, v_q30))
         return false;
+    (void)glint_unit_q30(half, half); /* it is not 0 */
     return glint_vec_of_q30(h, half, 0);
 }
 

@@ -99,9 +99,9 @@ enum glint_err glint_span_init(struct glint_span *span, const struct glint_paint
     const struct glint_vec *const h = &paint->h, *const l = &paint->l;
     const int64_t t0 = span_distance(first, h) >> 1, t1 = span_distance(last, h) >> 1;
     const int64_t nl0 = span_dot(first, l), nl1 = span_dot(last, l), limit = INT32_MAX - (1 << 13);
-    /* t is convex, nl linear: the ends bound them, but for the rounding of the steps, < w^2 / 16 + w <= 2^21 */
-    if (t0 > INT64_C(0xf0000000) || t1 > INT64_C(0xf0000000) || nl0 > limit || nl0 < -limit || nl1 > limit ||
-        nl1 < -limit)
+    /* t is convex, nl linear: the ends bound them, but for the rounding of the steps, < w^2 / 16 + w <= 2^21. t's are (3^0.5 + 1)^2 / 2 < 3.74
+     * at most, since H is a unit */
+    if (nl0 > limit || nl0 < -limit || nl1 > limit || nl1 < -limit)
         return GLINT_ERR_VECTOR;
     const int64_t m = w > 1 ? w - 1 : 1;
     const int64_t ddt = span_divide(span_distance(last, first), m * m);

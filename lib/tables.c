@@ -100,7 +100,7 @@ enum glint_err glint_tables_check(const struct glint_paint *paint, const struct 
         return GLINT_ERR_FORMAT;
     if (albedo && (GLINT_MISALIGNED(albedo, 16) || (h > 1 && GLINT_MISALIGNED(maps->albedo_stride, 16))))
         return GLINT_ERR_ARG;
-    return normals && maps && maps->normals_format == GLINT_NORMALS_INT8 && !paint->of.tables.is_frontal
+    return maps && normals && maps->normals_format == GLINT_NORMALS_INT8 && !paint->of.tables.is_frontal
                ? GLINT_ERR_VECTOR
                : GLINT_OK;
 }
