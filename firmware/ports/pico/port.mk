@@ -84,7 +84,7 @@ setup-firmware-pico: setup-build
 
 # Before anything is made of them.
 have-pico-choices:
-	@$(foreach choice,BOARD ARCH PANEL ROTATE DEMO IMAGE,$(if $(word 2,$($(choice))),echo "make: $(choice)=$($(choice)): say one" >&2; exit 1;))
+	@$(foreach choice,BOARD ARCH PANEL ROTATE DEMO IMAGE BEVEL AXES,$(if $(word 2,$($(choice))),echo "make: $(choice)=$($(choice)): say one" >&2; exit 1;))
 	@$(if $(filter glint conformance,$(IMAGE)),,echo "make: IMAGE=$(IMAGE): the images are glint and conformance" >&2; exit 1)
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(or $(filter arm,$(ARCH)),$(filter riscv-rp2350,$(ARCH)-$(PICO_CHIP))),,echo "make: ARCH=$(ARCH): is arm, or on a board with an RP2350 riscv" >&2; exit 1)
