@@ -30,7 +30,7 @@ static const struct argp_option argp_options[] = {
      5},
     {"period", KEY_PERIOD, "SECONDS", 0,
      "Time for one turn of the light (default 4), or of a mesh about its vertical axis (default 8), whose light stands "
-     "still without --orbit and --lights; 0: nothing moves",
+     "still without --orbit and --lights; 0: nothing turns",
      5},
     {"lights", KEY_LIGHTS, "FILE", 0,
      "Instead of the orbit: the direction of each frame from a file or standard input (-), one a line: X Y Z or "
@@ -157,7 +157,8 @@ static void check(const struct argp_state *state, struct stream_options *o)
     for (unsigned i = 0; i < shading->lamp_count; i++)
         directional |= shading->lamps[i].kind == LAMP_DIRECTIONAL;
     const bool is_given = o->lights || o->board_lights;
-    if (is_given && (!isnan(o->orbit) || !isnan(o->period)))
+    const bool is_mesh = o->look.scene.mesh.name; /* whose own turns --period is of, whatever the light does */
+    if (is_given && (!isnan(o->orbit) || (!isnan(o->period) && !is_mesh)))
         refuse(state, "--lights: gives each direction of the light; leave out %s",
                isnan(o->orbit) ? "--period" : "--orbit");
     if (is_given && !directional)
@@ -172,7 +173,7 @@ static void check(const struct argp_state *state, struct stream_options *o)
         refuse(state, "--orbit: is for a --light; points and spots keep their distance from the picture's middle");
     if (o->lights && strcmp(o->lights, "-") == 0 && map_options_standard_input(&o->look.scene))
         refuse(state, "--lights: only one of --lights, the maps and the mesh can come from standard input");
-    const bool is_mesh = o->look.scene.mesh.name, light_moves = !is_mesh || is_given || !isnan(o->orbit);
+    const bool light_moves = !is_mesh || is_given || !isnan(o->orbit);
     if (isnan(o->period))
         o->period = is_mesh ? usual_turn_period : usual_period;
     if (!o->frames && !o->lights && !o->kind->paced) {

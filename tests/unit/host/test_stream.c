@@ -52,6 +52,21 @@ static void each_line_of_lights_is_a_frame(void **state)
     assert_same_file("l2.ppm", "m2.ppm");
 }
 
+static void a_mesh_stands_still_under_a_file_of_lights_if_its_period_is_0(void **state)
+{
+    (void)state;
+    assert_quiet("printf '1 1 1\\n-1 .5 1\\n1 1 1\\n' >lights.txt && "
+                 "$GLINT stream teapot --size 24x20 --to ppm -o still%d.ppm --lights lights.txt --period 0 && "
+                 "$GLINT render teapot --size 24x20 --light 1,1,1 -o one.ppm && "
+                 "$GLINT render teapot --size 24x20 --light=-1,.5,1 -o other.ppm");
+    assert_same_file("still0.ppm", "one.ppm");
+    assert_same_file("still1.ppm", "other.ppm");
+    assert_same_file("still2.ppm", "one.ppm");
+    assert_quiet("$GLINT stream teapot --size 24x20 --to ppm -o turned%d.ppm --lights lights.txt --period 6 --fps 1 && "
+                 "$GLINT render teapot --size 24x20 --turn 25,30,0 --light=-1,.5,1 -o other.ppm");
+    assert_same_file("turned1.ppm", "other.ppm");
+}
+
 static void files_get_one_turn_of_the_light_unless_frames_says_more(void **state)
 {
     (void)state;
@@ -345,6 +360,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_frame_is_what_render_draws),
         cmocka_unit_test(each_line_of_lights_is_a_frame),
+        cmocka_unit_test(a_mesh_stands_still_under_a_file_of_lights_if_its_period_is_0),
         cmocka_unit_test(files_get_one_turn_of_the_light_unless_frames_says_more),
         cmocka_unit_test(the_orbit_keeps_its_angle),
         cmocka_unit_test(a_signal_that_the_caller_ignores_is_ignored),
