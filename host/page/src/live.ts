@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A Pico on the desk that follows the page. While one is connected the picture is what it draws: its size, RGB565 without dither, by
 // its tables from 8-bit normals; or the mesh that it holds.
-import { ask, stopped, workersSoFar } from './client'
+import { ask, workersSoFar } from './client'
 import { byId } from './dom'
 import type { ForDevice } from './engine'
 import { filesVersion, isHere } from './kept'
-import { NotHere, onDrawn, redraw, setView, settled } from './picture'
+import { NotHere, onDrawn, redraw, setView } from './picture'
 import type { Viewed } from './picture'
 import { filters, Pico, sentences, Trouble } from './pico'
 import { beginMotion, pointTo, towards } from './sun'
@@ -87,11 +87,8 @@ function follows(to: Pico): void {
             throw new NotHere(sentences.onlyMesh)
         return mapOnDevice(state, width, height)
     })
+    say(`${to.name} is connected. It keeps its picture until it is sent one.`) // the first may be refused, or stopped
     void redraw()
-    void settled().then(refusal => {
-        if (refusal === stopped && pico === to)
-            say(`${to.name} keeps its picture: stopped. It is sent the next one.`)
-    })
 }
 
 let held = { of: '', split: 0 }
