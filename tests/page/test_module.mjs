@@ -191,6 +191,16 @@ run([
         refusal(() => engine.moving([other, ['--scene=coin', '-n1001']]))
         check(engine.device(60, 44, has), 'the board gets nothing after a refusal')
     }],
+    ['a board gets the last picture where another file came since, or one could not be made', () => {
+        const engine = engineWithMaps(), words = ['--height=grey16.png', '--size=40x30', '--format=rgb565', '--path=colour-int8', '--color=9,9,9'], none = { map: '', material: '' }
+        engine.draw(words)
+        const { map, material } = engine.device(40, 30, none)
+        for (const work of [() => refusal(() => engine.run(['glint table', '--kind=colour', '-n5000', '-o', 'a.c'])), () => engine.addMesh('ring.stl', meshes['ring.stl'])]) {
+            work()
+            const again = engine.device(40, 30, none)
+            check(again && Buffer.from(map).equals(again.map) && Buffer.from(material).equals(again.material), 'the board gets nothing, or another picture')
+        }
+    }],
     ['a file that is forgotten is gone, with what came with it, and the last picture stays', () => {
         const engine = engineWithMaps(), words = ['--scene=dial', '--size=40x40'], texts = Object.entries(clothed(png({ width: 8, height: 8, type: 2, depth: 8, sample: x => 30 * x })))
         engine.addMesh('clothed.obj', together(texts.map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) }))))

@@ -268,6 +268,8 @@ export class Engine {
     /** What a device of that size, which has a map and a material already, is sent to draw the last picture; nothing if that has another size. */
     device(width: number, height: number, has: Had): ForDevice | undefined {
         return this.guard(() => {
+            if (!this.material && this.drawn.length) // a file came, or was refused, since it was drawn
+                this.draw(this.drawn)
             const { call } = this.module, { surface, material } = this
             if (!material || call.page_width() !== width || call.page_height() !== height)
                 return undefined
