@@ -101,9 +101,11 @@ run([
         await frames(20)
         check((await browser.now()).rgba.equals(rgba), 'the picture moves')
         await page.click('#orbit')
+        const marks = () => page.evaluate(() => performance.getEntriesByType('mark').length), few = await marks()
         await browser.until(before => location.hash.slice(1) !== before, start)
         await page.click('#orbit')
         await shownIsDrawn()
+        equal(await marks(), few, 'entries of a list that the browser never empties')
         if (isFirefox) // which cannot be told so by puppeteer
             return
         const fades = () => page.evaluate(() => getComputedStyle(document.getElementById('orbit')).transitionDuration)
@@ -477,6 +479,29 @@ run([
             await browser.until(() => document.getElementById('file-status').textContent === 'not-here.png: this map is not here; drop or choose the file')
             equal(await page.evaluate(() => globalThis.saved.length), 0, `files of ${id}`)
         }
+    }],
+    ['an animation is of one picture, too, whose size is changed as it is saved', async () => {
+        await browser.go('scene=coin&size=60x30&point=20,10,12,90')
+        await shownIsDrawn()
+        const { 'glint.apng': whole } = await browser.save('file-apng', 1)
+        await page.evaluate(() => {
+            globalThis.saved = []
+            document.getElementById('file-apng').click()
+        })
+        await browser.until(() => /^Frame/.test(document.getElementById('file-status').textContent))
+        await browser.set('control-size', '30x40')
+        await browser.until(() => globalThis.saved.length)
+        const [{ base64 }] = await page.evaluate(() => globalThis.saved)
+        check(whole.equals(Buffer.from(base64, 'base64')), 'it is another one')
+    }],
+    ['half a letter of two numbers in a control is refused, and the way out of it works', async () => {
+        await browser.go(start)
+        await browser.set('control-size', '5\ud83d')
+        await browser.until(() => !document.getElementById('refusal').hidden)
+        check((await browser.text('refusal')).includes('5\ufffd'), await browser.text('refusal'))
+        await page.click('#undo')
+        await browser.until(start => document.body.dataset.drawn === start, start)
+        await shownIsDrawn()
     }],
     ['what is told of the picture is told when a file is stopped, too', async () => {
         await browser.go(start)

@@ -70,18 +70,24 @@ async function saveNormals({ width, height, state }: Drawn): Promise<string> {
 }
 
 const frames = 48
-async function saveAnimation({ state: now, facts }: Drawn): Promise<string> {
-    const i = selectedLight()
+/** The words of each: the mesh goes round once, or the chosen light. At once, for a light's place is a part of the picture that is shown now. */
+function frameWords({ state, facts }: Drawn): string[][] {
+    const chosen = selectedLight(), [x, y, z] = facts.turn ?? []
+    const lights = state.lights.length ? state.lights : [{ kind: 'light' as const, text: '-1,1,1' }]
+    return Array.from({ length: frames }, (_, k) => wordsOf({ ...state, ...facts.turn ? { turn: [x, y + 360 * k / frames, z].map(v => Number((((v + 180) % 360 + 360) % 360 - 180).toFixed(1))).join() }
+        : { lights: lights.map((light, at) => at === chosen ? movedTo(light, ...orbitAt(k / frames)) : light) } }))
+}
+
+async function saveAnimation(drawn: Drawn): Promise<string> {
+    const lines = frameWords(drawn)
     let isStopped = false
     setWorking(() => { isStopped = true })
     try {
-        const bytes = await apng(frames, 4000 / frames, colours(now), async k => {
+        const bytes = await apng(frames, 4000 / frames, colours(drawn.state), async k => {
             if (isStopped)
                 throw new Stopped()
             status.textContent = `Frame ${k + 1} of ${frames}`
-            const [x, y, z] = facts.turn ?? []
-            return ask('aside', wordsOf(facts.turn ? { ...now, turn: [x, y + 360 * k / frames, z].map(v => Number((((v + 180) % 360 + 360) % 360 - 180).toFixed(1))).join() }
-                : { ...now, lights: now.lights.length ? now.lights.map((light, at) => at === i ? movedTo(light, ...orbitAt(k / frames)) : light) : [movedTo({ kind: 'light', text: '-1,1,1' }, ...orbitAt(k / frames))] }))
+            return ask('aside', lines[k])
         })
         save('glint.apng', bytes)
         return `glint.apng: ${frames} pictures in 4 s, ${(bytes.length / 1e6).toFixed(1)} MB, each as the command draws it`

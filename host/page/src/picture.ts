@@ -93,7 +93,8 @@ async function draw(now: State): Promise<void> {
 }
 
 function put(next: Drawn & { milliseconds: number }): void {
-    performance.mark(drawn ? 'picture' : 'first picture') // for make bench-page
+    if (!drawn)
+        performance.mark('first picture') // for make bench-page; marks of all would be kept by the browser
     drawn = next
     const { width, height, rgba, milliseconds, state: { format, dither } } = next
     show(canvas, width, height, rgba)

@@ -100,7 +100,7 @@ function quoted(word: string): string {
 export function fragmentOf(state: State): string {
     const entries: [string, string][] = names.filter(name => state[name] !== undefined).map(name => [name, state[name]!])
     entries.push(...state.lights.map(({ kind, text }): [string, string] => [kind, text]))
-    return entries.map(([name, text]) => text === '' ? name : `${name}=${encodeURIComponent(text).replaceAll('%2C', ',')}`).join('&')
+    return entries.map(([name, text]) => text === '' ? name : `${name}=${encodeURIComponent(text.replace(/\p{Cs}/gu, '\ufffd')).replaceAll('%2C', ',')}`).join('&') // half a pair cannot be encoded
 }
 
 export function stateOfFragment(fragment: string): State {
