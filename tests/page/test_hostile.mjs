@@ -189,12 +189,16 @@ run([
         check(became.drawn && became.refused, JSON.stringify(became))
         console.log(`# ${JSON.stringify(became)}`)
     }],
-    ['nodes that have each other, or a mesh\'s parts, many times over are refused, not followed', () => {
+    ['nodes that have each other, or a mesh\'s parts or vertices, many times over are refused, not followed', () => {
         const nodes = Array.from({ length: 40 }, (_, i) => i < 39 ? { children: [i + 1, i + 1] } : { mesh: 0 })
         const json = { ...JSON.parse(texts[2].toString()), nodes, scenes: [{ nodes: [0] }] }
         check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(json))), '--mesh=').includes('nodes'), 'it does not say so')
         const { meshes: [{ primitives: [primitive] }] } = json, many = { ...json, meshes: [{ primitives: Array(10000).fill(primitive) }], nodes: Array(8).fill({ mesh: 0 }), scenes: [{ nodes: [0, 1, 2, 3, 4, 5, 6, 7] }] }
         check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(many))), '--mesh=').includes('parts'), 'it does not say so of parts')
+        const shared = { ...json, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }], meshes: [{ primitives: Array(200).fill(primitive) }] }
+        shared.accessors = shared.accessors.map(accessor => ({ ...accessor, count: accessor.type === 'SCALAR' ? accessor.count : 1 << 20, byteOffset: 0 }))
+        shared.bufferViews = shared.bufferViews.map(view => ({ ...view, byteStride: 0 }))
+        check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(shared))), '--mesh=').includes('vertices'), 'it does not say so of vertices')
     }],
     ['a picture whose palette is too short is damaged', () => {
         const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra: [['PLTE', [1, 2, 3]]] })), '--height=')

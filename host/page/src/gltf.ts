@@ -22,8 +22,8 @@ const { fround } = Math
 
 export const isGltf = (name: string) => /\.(gltf|glb)$/i.test(name)
 
-/** What of a file is read at most: nodes that have others many times over would have no end. */
-const nodesMost = 1 << 16, trianglesMost = 1 << 18
+/** What of a file is read at most: nodes that have others, or parts that have vertices, many times over would have no end. */
+const nodesMost = 1 << 16, trianglesMost = 1 << 18, elementsMost = 1 << 23
 class Refused extends Error {}
 
 /** Throws an Error whose message is a sentence. */
@@ -54,6 +54,7 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         return from + view.byteLength > buffer.length ? damaged() : buffer.subarray(from, from + view.byteLength)
     }
 
+    let elements = 0
     /** Numbers of an accessor, so many for each element. */
     function numbers(i: number, types: string[]): { values: number[], size: number, kind: number } {
         const { bufferView, byteOffset = 0, componentType: kind, count, type, sparse } = json.accessors?.[i] ?? damaged()
@@ -61,8 +62,10 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         if (!types.includes(`${type} ${kind}`) || sparse || bufferView === undefined)
             refuse('has numbers of a kind that the page does not read; export it with floats')
         const bytes = viewBytes(bufferView!), step = json.bufferViews![bufferView!].byteStride ?? size * width, view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length)
-        if (count < 1 || count > 1 << 20 || byteOffset + step * (count - 1) + size * width > bytes.length)
+        if (!Number.isInteger(count) || count < 1 || count > 1 << 20 || byteOffset + step * (count - 1) + size * width > bytes.length)
             damaged()
+        if ((elements += count) > elementsMost)
+            refuse('has parts that share too many vertices; export it as one mesh')
         const read = { 5121: (at: number) => view.getUint8(at), 5123: (at: number) => view.getUint16(at, true), 5125: (at: number) => view.getUint32(at, true), 5126: (at: number) => view.getFloat32(at, true) }[kind]!
         return { values: Array.from({ length: count * size }, (_, k) => read(byteOffset + step * Math.floor(k / size) + width * (k % size))), size, kind }
     }
