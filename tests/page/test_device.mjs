@@ -236,7 +236,7 @@ run([
         await refuses('--path colour-int8: takes only one --light')
         await says('A board is connected. It keeps its picture')
         equal((await board()).lights.length, 0, 'lights')
-        await press('Reset')
+        await page.evaluate(fragment => { location.hash = fragment }, fragmentOf(stateOfWords(words)))
         await says('16 bytes a frame')
         await follows()
     }],
@@ -564,6 +564,20 @@ run([
         await connect()
         await says('Disconnected')
         await isFree()
+    }],
+    ['a map of the user\'s that is called so and is refused leaves the board its own', async () => {
+        command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), 1))
+        await browser.go(fragmentOf(stateOfWords(words)))
+        await connect()
+        await follows()
+        await connect()
+        await says('Disconnected')
+        await browser.drop({ [white]: png({ width: 7, height: 5, type: 0, depth: 8, sample: () => 9 }) })
+        await refuses(white)
+        await connect()
+        await follows()
+        await connect()
+        await says('Disconnected')
     }],
     ['an address that is refused sends nothing, before and after connecting, and what follows is drawn', async () => {
         const wrong = 'scene=coins&n=5000'

@@ -102,7 +102,7 @@ async function splitOf(mesh: Uint8Array, { scene, mesh: file, crease, axes }: St
 
 let white = ''
 async function mapOnDevice(state: State, width: number, height: number): Promise<Viewed> {
-    const name = whiteName({ has: isHere }), size = `${name} ${width}x${height} ${workersSoFar()}`, color = await colourOf(state)
+    const name = whiteName({ has: isHere }), size = `${name} ${width}x${height} ${workersSoFar()} ${filesVersion()}`, color = await colourOf(state)
     if (size !== white)
         await ask('white', name, width, height)
     white = size
