@@ -487,6 +487,17 @@ static void the_grain_s_one_direction_is_to_nearest(void **state)
     }
 }
 
+static void beyond_the_largest_m_nothing_is_left_of_grain(void **state)
+{
+    (void)state;
+    struct look look = metal(GLINT_MSH, 60, 8);
+    struct glint_paint paint;
+    paint_of(&paint, &look);
+    assert_true(glint_grain_f(&paint, 0, 0) >= 65536);
+    assert_int_equal(glint_grain_f(&paint, GLINT_GRAIN_MOST + 1, 0), 0);
+    assert_int_equal(glint_grain_f(&paint, 0, GLINT_T_ONE + 1), 0);
+}
+
 static void sines_of_grain_are_to_nearest(void **state)
 {
     (void)state;
@@ -497,6 +508,7 @@ static void sines_of_grain_are_to_nearest(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(beyond_the_largest_m_nothing_is_left_of_grain),
         cmocka_unit_test(sines_of_grain_are_to_nearest),
         cmocka_unit_test(the_grain_s_one_direction_is_to_nearest),
         cmocka_unit_test(pictures_are_within_six_tenths_of_a_level_of_double_precision),

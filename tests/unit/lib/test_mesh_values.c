@@ -450,6 +450,20 @@ static void a_place_at_the_viewer_or_behind_is_projected_as_the_nearest(void **s
     }
 }
 
+/* Rounded to 16 bits, (1, 1, 1) is 1.5 longer than 32767. */
+static void a_light_that_a_turn_brings_to_an_axis_is_held_to_16_bits(void **state)
+{
+    (void)state;
+    struct glint_paint paint = {.l = {18919, 18919, 18919}, .h = {-18919, -18919, -18919}};
+    struct glint_mesh_drawn drawn;
+    const struct glint_pose pose = {{29100, -10652, 10652, 0}, {0, 0, 0}, 1};
+    assert_true(glint_pose_set(&drawn, &pose, &paint));
+    assert_in_range(drawn.l.x + 3, 0, 6);
+    assert_in_range(drawn.l.y + 3, 0, 6);
+    assert_int_equal(drawn.l.z, 32767);
+    assert_int_equal(drawn.h.z, -32767);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -466,6 +480,7 @@ int main(void)
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
         cmocka_unit_test(a_colour_is_held_to_what_there_is),
         cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
+        cmocka_unit_test(a_light_that_a_turn_brings_to_an_axis_is_held_to_16_bits),
         cmocka_unit_test(any_one_corner_of_a_face_may_be_beyond_the_guard_band),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
