@@ -494,7 +494,7 @@ run([
         const [{ base64 }] = await page.evaluate(() => globalThis.saved)
         check(whole.equals(Buffer.from(base64, 'base64')), 'it is another one')
     }],
-    ['half a letter of two numbers in a control is refused, and the way out of it works', async () => {
+    ['half of a surrogate pair in a control is refused, and undo takes it back', async () => {
         await browser.go(start)
         await browser.set('control-size', '5\ud83d')
         await browser.until(() => !document.getElementById('refusal').hidden)

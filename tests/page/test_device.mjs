@@ -565,7 +565,7 @@ run([
         await says('Disconnected')
         await isFree()
     }],
-    ['a map of the user\'s that is called so and is refused leaves the board its own', async () => {
+    ['a refused file that has the name of the page\'s map of full gloss leaves that map as it was', async () => {
         command.put(white, writePng(width, height, Buffer.alloc(4 * width * height, 255), 1))
         await browser.go(fragmentOf(stateOfWords(words)))
         await connect()

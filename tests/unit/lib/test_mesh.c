@@ -411,7 +411,7 @@ static enum glint_err added(const struct glint_paint *paints, unsigned count, bo
     return glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, paints, work, sizeof work);
 }
 
-/* Lights paint so that of what its pixels are computed with H alone is not that of `of`. */
+/* Lights paint so that L is that of `of`, and H is not. */
 static bool lit_with_another_half(struct glint_paint *paint, const struct glint_paint *of,
                                   const struct glint_light *light)
 {

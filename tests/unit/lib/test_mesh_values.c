@@ -450,11 +450,11 @@ static void a_place_at_the_viewer_or_behind_is_projected_as_the_nearest(void **s
     }
 }
 
-/* Rounded to 16 bits, (1, 1, 1) is 1.5 longer than 32767. */
+/* The direction (1, 1, 1), rounded to 16 bits, has a length of 32768.7. */
 static void a_light_that_a_turn_brings_to_an_axis_is_held_to_16_bits(void **state)
 {
     (void)state;
-    struct glint_paint paint = {.l = {18919, 18919, 18919}, .h = {-18919, -18919, -18919}};
+    const struct glint_paint paint = {.l = {18919, 18919, 18919}, .h = {-18919, -18919, -18919}};
     struct glint_mesh_drawn drawn;
     const struct glint_pose pose = {{29100, -10652, 10652, 0}, {0, 0, 0}, 1};
     assert_true(glint_pose_set(&drawn, &pose, &paint));
