@@ -299,4 +299,5 @@ always:
 # make -B asks for sources, too.
 .DEFAULT:
 	$(if $(wildcard $@),,$(error there is no goal or file '$@'; 'make help' lists the goals))
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+# What another make is writing at this moment may end within a line, which make would not read: only files whose last line is whole.
+-include $(shell find $(BUILD) -name '*.d' -exec awk 'FNR == 1 { if (whole) print name; name = FILENAME } { whole = /:/ || /^ / } END { if (whole) print name }' {} + 2>/dev/null)
