@@ -299,5 +299,6 @@ always:
 # make -B asks for sources, too.
 .DEFAULT:
 	$(if $(wildcard $@),,$(error there is no goal or file '$@'; 'make help' lists the goals))
-# What another make is writing at this moment may end within a line, which make would not read: only files whose last line is whole.
--include $(shell find $(BUILD) -name '*.d' -exec awk 'FNR == 1 { if (whole) print name; name = FILENAME } { whole = /:/ || /^ / } END { if (whole) print name }' {} + 2>/dev/null)
+# The headers of each object, of files whose last line is whole: what another make is writing at this moment may end within a line.
+-include $(shell find $(BUILD) $(linux) $(PAGE)/objects -name '*.d' -exec awk 'FNR == 1 { if (whole) print name; name = FILENAME } \
+	{ whole = /:/ || /^ / } END { if (whole) print name }' {} + 2>/dev/null)

@@ -55,5 +55,4 @@ $(PAGE)/index.html: $(PAGE)/module.wasm $(PAGE)/exports.ts $(PAGE_NPM)/done $(PA
 	node $(PAGE_NPM)/node_modules/typescript/bin/tsc -p $(PAGE)
 	node host/page/build.mjs $(PAGE_NPM) $(PAGE)
 
--include $(shell find $(PAGE)/objects -name '*.d' 2>/dev/null)
 .PHONY: page setup-page-build

@@ -27,7 +27,6 @@ $(linux)/flags: always
 	@printf '%s\n' $(call quoted,$(linux_FLAGS)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(linux_FLAGS)) >$@
 
 .PHONY: firmware-linux
--include $(wildcard $(linux)/*.d $(linux)/core/*.d)
 
 # For the lab's tests of hosts: the same, with faults.
 $(linux)/faulty-gadget: $(linux)/faulty_gadget.o $(filter-out %/main.o,$(linux_OBJECTS)) $(linux)/flags
