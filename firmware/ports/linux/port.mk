@@ -7,7 +7,9 @@ linux_OBJECTS = $(patsubst firmware/ports/linux/%.c,$(linux)/%.o,$(wildcard firm
 	$(linux_CORE:%=$(linux)/core/%.o)
 linux = build/firmware/linux
 
-firmware-linux: $(linux)/glint-gadget
+have-linux-choices:
+	@$(foreach choice,BOARD PANEL,$(if $(filter command,$(origin $(choice))),$(if $(filter linux,$(PORT)),echo "make: $(choice)=$($(choice)): port linux takes none$(COMMA) and glint-gadget its --size when it runs; leave $(choice) out" >&2; exit 1;)))
+firmware-linux: have-linux-choices $(linux)/glint-gadget
 
 $(linux)/glint-gadget: $(linux_OBJECTS) $(linux)/flags
 	$(CC) $(linux_CFLAGS) $(LDFLAGS) $(filter %.o,$^) -o $@ -lpng
@@ -26,7 +28,7 @@ $(linux)/flags: always
 	@mkdir -p $(@D)
 	@printf '%s\n' $(call quoted,$(linux_FLAGS)) | cmp -s - $@ || printf '%s\n' $(call quoted,$(linux_FLAGS)) >$@
 
-.PHONY: firmware-linux
+.PHONY: firmware-linux have-linux-choices
 
 # For the lab's tests of hosts: the same, with faults.
 $(linux)/faulty-gadget: $(linux)/faulty_gadget.o $(filter-out %/main.o,$(linux_OBJECTS)) $(linux)/flags

@@ -54,25 +54,29 @@ PICO_SCENE_dial = --scene watchface
 PICO_SCENES = $(if $(PICO_HAS_IMU),$(if $(PICO_MESH)$(HEIGHT)$(filter-out 240x240,$(PICO_SIZE)),,$(DEMO) $(filter-out $(DEMO),dial coin)))
 # The whole of an AMOLED panel: its map is larger than RAM and flash; a palette is not.
 PICO_PALETTE = $(if $(PICO_MESH),,$(if $(PICO_QSPI),$(filter 466x466,$(PICO_SIZE))))
-PICO_PALETTE_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)',$(filter-out --cut-out,$(PICO_SCENE_$(filter coin dial,$(DEMO))))) --size $(PICO_SIZE)
+PICO_PALETTE_SOURCE = $(if $(HEIGHT),--height $(call quoted,$(HEIGHT)),$(filter-out --cut-out,$(PICO_SCENE_$(filter coin dial,$(DEMO))))) --size $(PICO_SIZE)
+# A file's name as a part of a folder's.
+pico_named = $(if $(1),$(shell printf %s $(call quoted,$(basename $(notdir $(firstword $(1))))) | LC_ALL=C tr -c 'A-Za-z0-9._+-' _))
 # With a tearing line a frame must fit in one scan of the panel: soft edges would take .2 ms too long, so the coin keeps its wall.
 # Instead of the coin a height map of your own, at the panel's size; with BEVEL=N a logo, as glint bake has --bevel, with soft edges.
 HEIGHT ?=
+PICO_HEIGHT_NAME := $(call pico_named,$(HEIGHT))
 BEVEL ?=
-PICO_MAP_SOURCE = $(if $(HEIGHT),--height '$(HEIGHT)' $(BEVEL:%=--bevel % --cut-out),$(PICO_SCENE_$(filter coin dial,$(DEMO)))) --size $(PICO_SIZE)
+PICO_MAP_SOURCE = $(if $(HEIGHT),--height $(call quoted,$(HEIGHT)) $(BEVEL:%=--bevel % --cut-out),$(PICO_SCENE_$(filter coin dial,$(DEMO)))) --size $(PICO_SIZE)
 # Or a mesh of your own, as glint bake takes it by --mesh, --split and --axes.
 MESH ?=
+PICO_MESH_NAME := $(call pico_named,$(MESH))
 SPLIT ?= 30
 AXES ?=
-PICO_MESH = $(if $(MESH),mesh-$(basename $(notdir $(firstword $(MESH)))),$(filter teapot,$(DEMO)))
-PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh '$(MESH)' --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
+PICO_MESH = $(if $(MESH),mesh-$(PICO_MESH_NAME),$(filter teapot,$(DEMO)))
+PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh $(call quoted,$(MESH)) --no-textures --split $(SPLIT) $(AXES:%=--axes %),--scene teapot --split 180)
 # Up to here it is in RAM, where it is drawn in fewer cycles.
 PICO_MESH_RAM = 12288
 # On an AMOLED panel in its middle, or the whole of it, whose strips of two cores would take all RAM.
 PICO_AMOLED_MESHES = $(if $(PICO_QSPI),$(if $(filter arm,$(ARCH)),$(foreach chip,rp2040 rp2350,$(chip).240x240.0.glint $(if $(filter 0,$(SECOND_CORE)),$(chip).466x466.0.glint))))
 PICO_FREE_PINS = $(filter-out $(if $(PICO_HAS_IMU),$(call pico_fact,14) $(call pico_fact,15)),1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28)
 # Of choices that are refused, too, it is one word.
-PICO = $(subst $(BLANK),_,build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(patsubst %,-te%,$(firstword $(TE)))$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(basename $(notdir $(firstword $(HEIGHT)))))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing))
+PICO = $(subst $(BLANK),_,build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(patsubst %,-te%,$(firstword $(TE)))$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(PICO_HEIGHT_NAME))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing))
 PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
 PICO_SIZE = $(if $(PICO_TURNED),$(lastword $(PICO_SIDES))x$(firstword $(PICO_SIDES)),$(lastword $(subst -, ,$(PANEL))))
 
@@ -97,13 +101,14 @@ have-pico-choices:
 	@case "$$LANDING_PAGE" in '') ;; *[!A-Za-z0-9._~:/?%=\&+,@-]*) false ;; https://?* | http://localhost | http://localhost[:/]*) [ $${#LANDING_PAGE} -le 252 ] ;; *) false ;; esac || \
 		{ printf 'make: LANDING_PAGE=%s: browsers take https://... or http://localhost..., this one of at most 252 letters, digits and ._~:/?%%=&+,@-\n' "$$LANDING_PAGE" >&2; exit 1; }
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
-	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint $(PICO_AMOLED_MESHES),$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: $(if $(MESH),MESH=$(MESH),DEMO=teapot): is for an RP2040 with a panel of 240x240$(COMMA) or an AMOLED panel$(COMMA) whole with one core; leave TE, PATH and IMAGE out" >&2; exit 1))
-	@$(if $(word 2,$(MESH)),echo "make: MESH=$(MESH): make takes no file whose name has a blank; rename it" >&2; exit 1)
-	@$(if $(word 2,$(HEIGHT)),echo "make: HEIGHT=$(HEIGHT): make takes no file whose name has a blank; rename it" >&2; exit 1)
+	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint $(PICO_AMOLED_MESHES),$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: "$(call quoted,$(if $(MESH),MESH=$(MESH),DEMO=teapot))": is for an RP2040 with a panel of 240x240$(COMMA) or an AMOLED panel$(COMMA) whole with one core; leave TE, PATH and IMAGE out" >&2; exit 1))
+	@$(if $(word 2,$(MESH)),echo "make: "$(call quoted,MESH=$(MESH))": make takes no file whose name has a blank; rename it" >&2; exit 1)
+	@$(if $(word 2,$(HEIGHT)),echo "make: "$(call quoted,HEIGHT=$(HEIGHT))": make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
-	@$(if $(and $(HEIGHT),$(PICO_MESH)),echo "make: HEIGHT=$(HEIGHT): the board shows a map or a mesh; leave $(if $(MESH),MESH=$(MESH),DEMO=teapot) out" >&2; exit 1)
+	@$(if $(and $(HEIGHT),$(PICO_MESH)),echo "make: "$(call quoted,HEIGHT=$(HEIGHT))": the board shows a map or a mesh; leave "$(call quoted,$(if $(MESH),MESH=$(MESH),DEMO=teapot))" out" >&2; exit 1)
 	@$(if $(PICO_PALETTE),$(if $(filter 0.0.glint.,$(SECOND_CORE).$(PICO_EXACT).$(IMAGE).$(BEVEL)),,echo "make: PANEL=$(PANEL): a palette is drawn on the whole of it$(COMMA) exactly$(COMMA) by one core and without soft edges; leave SECOND_CORE$(COMMA) PATH$(COMMA) IMAGE and BEVEL out" >&2; exit 1))
 	@$(if $(filter-out $(shell seq 180),$(SPLIT))$(word 2,$(SPLIT)),echo "make: SPLIT=$(SPLIT): say whole degrees from 1 to 180" >&2; exit 1)
+	@$(foreach choice,SPLIT AXES,$(if $(filter command,$(origin $(choice))),$(if $(MESH),,echo "make: $(choice)=$($(choice)): is for a mesh of your own; give MESH=FILE with it" >&2; exit 1;)))
 
 # CMake knows what depends on what within. Its messages would run a program for each object, which takes longer than a compiler with a cache.
 firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,$(if $(PICO_PALETTE),demo_palette.h,demo_map.h)) $(if $(PICO_SCENES),$(PICO)/map/demo_scenes.h) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
@@ -111,7 +116,7 @@ firmware-pico: have-pico-choices $(PICO)/map/$(if $(PICO_MESH),demo_mesh.h,$(if 
 	cmake -S firmware/ports/pico -B $(PICO)/cmake -DCMAKE_BUILD_TYPE=Release -DCMAKE_RULE_MESSAGES=OFF -DPICO_BOARD=$(subst -,_,$(PICO_BOARD)) $(PICO_PLATFORM) -DPICO_NO_PICOTOOL=1 -DPICO_BOARD_HEADER_DIRS="$(CURDIR)/firmware/ports/pico/boards" \
 		-DPICO_SDK_PATH="$$sdk/pico-sdk" -DPICO_TINYUSB_PATH="$$sdk/tinyusb" -DGLINT_BOARD=$(PICO_BOARD) -DGLINT_PANEL=$(PANEL) -DGLINT_ROTATE=$(ROTATE) -DGLINT_TE=$(or $(TE),-1) -DGLINT_SECOND_CORE=$(SECOND_CORE) -DGLINT_EXACT=$(PICO_EXACT) -DGLINT_TURNS_MESH=$(if $(PICO_MESH),1,0) -DGLINT_SCENES=$(if $(PICO_SCENES),1,0) -DGLINT_SHOWS_PALETTE=$(if $(PICO_PALETTE),1,0) -DGLINT_MESH_IN_RAM=$$(find $(PICO)/map/demo_mesh.bin -size -$(PICO_MESH_RAM)c 2>/dev/null | wc -l) '-DGLINT_LANDING_PAGE=$(LANDING_PAGE)' \
 		-DGLINT_MAP="$(CURDIR)/$(PICO)/map" -DGLINT_EXPECTED="$(abspath $(CONFORMANCE))" >$(PICO)/log 2>&1 && \
-	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: MESH=$(MESH): a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
+	MAKEFLAGS= cmake --build $(PICO)/cmake --target $(IMAGE) $(PARALLEL) >>$(PICO)/log 2>&1 || { grep -o 'glint: over.*' $(PICO)/log >&2 && $(if $(MESH),echo "make: "$(call quoted,MESH=$(MESH))": a mesh takes 16 bytes of RAM a vertex and 2 a triangle$(if $(filter 1,$(SECOND_CORE)),$(COMMA) for each core): simplify it$(COMMA) or leave its edges whole by SPLIT=180",:) >&2 || grep rror $(PICO)/log >&2; \
 		echo "make: the Pico's firmware was not built; the whole log is $(PICO)/log" >&2; exit 1; }
 	@grep -A 3 'warning:' $(PICO)/log || true
 	@cp $(PICO)/cmake/$(IMAGE).elf $(PICO)/ && $(BUILD)/bin2uf2 $(if $(filter rp2350,$(PICO_CHIP)),pico2,pico)$(filter-out -arm,-$(ARCH)) $(PICO)/cmake/$(IMAGE).bin $(PICO)/$(IMAGE).uf2
@@ -152,8 +157,8 @@ $(PICO)/map/demo_mesh.h: $(BUILD)/glint $(if $(MESH),always) | have-pico-choices
 	@mkdir -p $(@D)
 	@$< bake $(PICO_MESH_SOURCE) --to int8 -o $(@D)/demo_mesh.bin >/dev/null
 	@$< bake $(PICO_MESH_SOURCE) --to int8 --name demo_mesh --as c -o $@.tmp >/dev/null
-	@set -- $$(od -An -tu2 -N8 $(@D)/demo_mesh.bin); [ $$3 = 1 ] || echo "make: MESH=$(MESH): has $$3 materials; the board draws it in one" >&2; \
-		[ $$4 -lt 256 ] || echo "make: MESH=$(MESH): its vertices have colours; the board draws it in one" >&2; \
+	@set -- $$(od -An -tu2 -N8 $(@D)/demo_mesh.bin); [ $$3 = 1 ] || echo "make: "$(call quoted,MESH=$(MESH))": has $$3 materials; the board draws it in one" >&2; \
+		[ $$4 -lt 256 ] || echo "make: "$(call quoted,MESH=$(MESH))": its vertices have colours; the board draws it in one" >&2; \
 		cksum=$$(tail -c +9 $(@D)/demo_mesh.bin | head -c -$$(($$3 * 6 + $$4 / 256 * $$1 * 3)) | cksum | cut -d ' ' -f 1); \
 		printf '#define DEMO_MESH_%s\n' "VERTICES $$1" "FACES $$2" "CKSUM $${cksum}u" "SPLIT $(if $(MESH),$(SPLIT),180)" >$(@D)/demo_mesh_sizes.h.tmp
 	@cmp -s $(@D)/demo_mesh_sizes.h.tmp $(@D)/demo_mesh_sizes.h || mv $(@D)/demo_mesh_sizes.h.tmp $(@D)/demo_mesh_sizes.h
