@@ -484,13 +484,21 @@ run([
         await browser.go('scene=coin&size=60x30&point=20,10,12,90')
         await shownIsDrawn()
         const { 'glint.apng': whole } = await browser.save('file-apng', 1)
+        // At its first frame, which is told for as long as one takes.
         await page.evaluate(() => {
+            const status = document.getElementById('file-status'), size = document.getElementById('control-size')
+            new MutationObserver((_, observer) => {
+                if (!status.textContent.startsWith('Frame'))
+                    return
+                observer.disconnect()
+                size.value = '30x40'
+                for (const type of ['input', 'change'])
+                    size.dispatchEvent(new Event(type, { bubbles: true }))
+            }).observe(status, { childList: true, characterData: true, subtree: true })
             globalThis.saved = []
             document.getElementById('file-apng').click()
         })
-        await browser.until(() => /^Frame/.test(document.getElementById('file-status').textContent))
-        await browser.set('control-size', '30x40')
-        await browser.until(() => globalThis.saved.length)
+        await browser.until(() => globalThis.saved.length && document.getElementById('control-size').value === '30x40')
         const [{ base64 }] = await page.evaluate(() => globalThis.saved)
         check(whole.equals(Buffer.from(base64, 'base64')), 'it is another one')
     }],
