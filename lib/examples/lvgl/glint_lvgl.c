@@ -75,6 +75,7 @@ static struct glint_maps maps_window(const struct glint_maps *maps, int32_t x, i
     part.gloss = window(maps->gloss, maps->gloss_stride, x, y, 1);
     part.coverage = window(maps->coverage, maps->coverage_stride, x, y, 1);
     part.grain = window(maps->grain, maps->grain_stride, x, y, 1);
+    part.shininess = window(maps->shininess, maps->shininess_stride, x, y, 1);
     return part;
 }
 
