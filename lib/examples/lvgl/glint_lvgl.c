@@ -6,8 +6,10 @@ static bool is_format(uint8_t format, unsigned lvgl)
     switch (format) {
     case GLINT_RGB565:
         return lvgl == LV_COLOR_FORMAT_RGB565;
+#if LVGL_VERSION_MAJOR > 9 || LVGL_VERSION_MINOR >= 3
     case GLINT_RGB565_SWAPPED:
         return lvgl == LV_COLOR_FORMAT_RGB565_SWAPPED;
+#endif
     case GLINT_GREY8:
         return lvgl == LV_COLOR_FORMAT_L8;
     case GLINT_BGR888:
