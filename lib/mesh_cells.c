@@ -418,7 +418,7 @@ static __attribute__((noinline)) bool cells_matt(const struct glint_mesh_cells *
     if (cells->others || cells->cell.t != GLINT_MESH_FAR_T || strip->surface->stride != (ptrdiff_t)w)
         return false;
     const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
-    const struct glint_mesh_blend blend = {cells->paint->output.format == GLINT_RGB565_SWAPPED,
+    const struct glint_mesh_blend blend = {glint_is_swapped(&cells->paint->of.tables.filled),
                                            cells->cell.nl,
                                            is_flat ? w : 2,
                                            (uint32_t)rim->step,
@@ -443,7 +443,7 @@ static __attribute__((noinline)) void colour_cells(const struct glint_mesh_cells
     const struct glint_look look = glint_look_up(&cells->paint->of.tables.filled);
     const struct glint_mesh_target *const strip = cells->strip;
     const struct glint_mesh_rim *const rim = cells->rim;
-    const bool swapped = cells->paint->output.format == GLINT_RGB565_SWAPPED, is_flat = rim->is & GLINT_RIM_FLAT;
+    const bool swapped = glint_is_swapped(&cells->paint->of.tables.filled), is_flat = rim->is & GLINT_RIM_FLAT;
     uint32_t z = cells->cell.z, nl = cells->cell.nl, back = look.t_max - cells->cell.t, dt = cells->cell.dt;
     const ptrdiff_t stride = strip->surface->stride;
     const int32_t along = is_flat ? 1 : strip->w, across = is_flat ? 2 * strip->w : 2;

@@ -63,7 +63,7 @@ bool conformance_fits(unsigned check)
     if (CONFORMANCE_ALBEDO_ONLY)
         return check == CONFORMANCE_TABLES_LIT || check == CONFORMANCE_MESHES_ALBEDO_TABLES ||
                check == CONFORMANCE_MESHES_TEXTURED_TABLES;
-    if (check == CONFORMANCE_TABLES_LIT)
+    if (check == CONFORMANCE_TABLES_LIT || check == CONFORMANCE_MESHES_OUTLINED)
         return CONFORMANCE_TABLES;
     if (check >= CONFORMANCE_COLOURS && check <= CONFORMANCE_ALBEDO)
         return CONFORMANCE_TABLES;

@@ -11,7 +11,7 @@
 
 #include "glint.h"
 
-/* 0: without tables, for machines whose RAM is less than the 20 KB of COLOUR's. */
+/* 0: without tables and outlines, for machines whose RAM is less than COLOUR's 20 KB and an outline's 2. */
 #ifndef CONFORMANCE_TABLES
 #define CONFORMANCE_TABLES 1
 #endif

@@ -6,8 +6,14 @@
 #include "conformance.h"
 #include "glint.h"
 
-enum { W = 11, H = 3, LINE = 4 * W + 2 };              /* of a rectangle */
-enum { CONFORM_WORDS = 160, CONFORM_PIXELS = 19 * 9 }; /* for a mesh, and its picture */
+enum { W = 11, H = 3, LINE = 4 * W + 2 }; /* of a rectangle */
+/* For a mesh and its picture. Outlines take most: where there is too little for them the library refuses the mesh. */
+enum {
+    CONFORM_WORDS = CONFORMANCE_ALBEDO_ONLY || !CONFORMANCE_TABLES ? 160
+                    : sizeof(void *) > 4                           ? 716
+                                                                   : 523,
+    CONFORM_PIXELS = 19 * 9
+};
 
 extern const int32_t conform_to_viewer[3];
 /* Of the check at hand: one for all of them, for RAM. */

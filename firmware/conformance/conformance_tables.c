@@ -59,6 +59,7 @@ bool conform_fill(struct glint_paint *paint, enum glint_tables_kind kind, const 
 }
 
 enum { WIDE = 319 };
+typedef char conform_wide_fits[CONFORMANCE_ALBEDO_ONLY || (int)CONFORM_WORDS >= (int)WIDE ? 1 : -1];
 static uint16_t wide_out[WIDE + 1];
 
 static void add_wide_out(uint32_t err)
@@ -114,7 +115,7 @@ static void add_wide(const struct glint_paint *paint, const struct glint_light *
 {
     static const uint16_t widths[] = {0, 1, 2, 3, 4, 5, 15, 16, 17, 31, 32, 33, 64, 65, 96, WIDE};
     static struct glint_paint at;
-    static uint32_t words[WIDE];
+    uint32_t *const words = conform_words;
     static uint16_t offsets[WIDE];
     struct glint_surface line = {wide_out, 0, 0, 0};
     for (uint16_t i = 0; i < 512; i++) {

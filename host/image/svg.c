@@ -198,6 +198,10 @@ struct image *svg_read(FILE *stream, const char *name, const uint8_t *head, size
     struct source source = {.len = length, .width = width, .height = height};
     struct child child;
     struct head drawn;
+    if (width && !picture_size_fits(width, height))
+        fail("%s: drawn at %ux%u pixels; at most %d a side and %d in all are allowed: choose a smaller --size or "
+             "--filter",
+             name, width, height, SIDE_MAX, PIXELS_MAX);
     source.bytes = read_all(stream, name, head, &source.len);
     child_start(&child, name, "librsvg", draw, &source);
     receive(&child, name, &drawn, sizeof drawn);

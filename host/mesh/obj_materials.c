@@ -71,14 +71,14 @@ static void take_highlight(struct mesh_material *look, const double parts[3])
         look->highlight[k] = look->has_highlight ? positive[k] / most : 0;
 }
 
-/* Up to three numbers, as far as they go. */
+/* Up to three numbers, as far as they go: a picture's name may begin as what is not a number. */
 static char *take_numbers(char *at, float numbers[3])
 {
     for (int k = 0; k < 3; k++) {
         char *copy = copy_of(at), *in_copy = copy;
         float number;
         const char *word = lines_word(&in_copy);
-        const bool good = word && lines_number(word, &number);
+        const bool good = word && lines_number(word, &number) && !isnan(number);
         if (good)
             numbers[k] = number;
         at += good ? in_copy - copy : 0;

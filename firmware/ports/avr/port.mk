@@ -9,7 +9,7 @@ avr_CORE_atmega2560 = atmega2560
 avr_FLAGS_atmega2560 = -mmcu=atmega2560
 avr_SCRIPT_atmega2560 = budget.ld
 avr_IMAGE_atmega2560 = -DCONFORMANCE_TABLES=0 -DCONFORMANCE_EVERY_C=0
-avr_SKIPS_atmega2560 = 17
+avr_SKIPS_atmega2560 = 18
 avr_PUSHED_atmega2560 = 3
 
 avr_CORE_atmega1284p = atmega1284p

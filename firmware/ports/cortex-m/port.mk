@@ -13,7 +13,7 @@ cortex-m_CORE_microbit = cortex-m0
 cortex-m_FLAGS_microbit = -mcpu=cortex-m0 -mthumb
 cortex-m_SCRIPT_microbit = microbit.ld
 cortex-m_IMAGE_microbit = -DCONFORMANCE_TABLES=0
-cortex-m_SKIPS_microbit = 8
+cortex-m_SKIPS_microbit = 9
 
 cortex-m_CORE_rp2040 = cortex-m0plus
 cortex-m_FLAGS_rp2040 = -mcpu=cortex-m0plus -mthumb

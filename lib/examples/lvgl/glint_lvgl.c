@@ -6,8 +6,10 @@ static bool is_format(uint8_t format, unsigned lvgl)
     switch (format) {
     case GLINT_RGB565:
         return lvgl == LV_COLOR_FORMAT_RGB565;
+#if LVGL_VERSION_MAJOR > 9 || LVGL_VERSION_MINOR >= 3
     case GLINT_RGB565_SWAPPED:
         return lvgl == LV_COLOR_FORMAT_RGB565_SWAPPED;
+#endif
     case GLINT_GREY8:
         return lvgl == LV_COLOR_FORMAT_L8;
     case GLINT_BGR888:
@@ -75,6 +77,7 @@ static struct glint_maps maps_window(const struct glint_maps *maps, int32_t x, i
     part.gloss = window(maps->gloss, maps->gloss_stride, x, y, 1);
     part.coverage = window(maps->coverage, maps->coverage_stride, x, y, 1);
     part.grain = window(maps->grain, maps->grain_stride, x, y, 1);
+    part.shininess = window(maps->shininess, maps->shininess_stride, x, y, 1);
     return part;
 }
 

@@ -213,11 +213,76 @@ static unsigned other_canvases(void)
     return wrong;
 }
 
+/* Each map in lines of five as in one piece. Returns how many pixels differ. */
+static unsigned maps_in_parts(void)
+{
+    enum { SIDE = 24, LINES = 5, MAPS = 5, PIXELS = SIDE * SIDE };
+    static const struct glint_output output = {GLINT_RGB565, GLINT_GAMMA, false};
+    static const int32_t to_light[3] = {-1, 1, 3}, to_viewer[3] = {0, 0, 1};
+    static struct glint_vec dome[PIXELS];
+    static uint8_t bytes[3 * PIXELS];
+    static uint16_t whole[PIXELS];
+    void *const badge = objects[1].user_data;
+    const lv_area_t at = objects[1].at;
+    unsigned wrong = 0;
+    for (int i = 0; i < PIXELS; i++) {
+        const int32_t slope[3] = {i % SIDE - SIDE / 2, SIDE / 2 - i / SIDE, SIDE / 2};
+        glint_vec_normalize(&dome[i], slope);
+    }
+    for (unsigned i = 0; i < sizeof bytes; i++)
+        bytes[i] = (uint8_t)(97 * i >> 2);
+    lv_obj_set_size(&objects[1], SIDE, SIDE);
+    for (unsigned k = 0; k < MAPS; k++) {
+        struct glint_material material;
+        struct glint_paint paint;
+        struct glint_light light;
+        struct glint_lvgl map;
+        const struct glint_surface surface = {whole, 2 * SIDE, 0, 0};
+        memset(&material, 0, sizeof material);
+        memset(&map, 0, sizeof map);
+        material.n = 40;
+        material.n_across = k == 3 ? 6 : 0;
+        for (unsigned i = 0; i < 3; i++) {
+            material.albedo[i] = 150;
+            material.diffuse_q16[i] = material.specular_q16[i] = 40000;
+        }
+        wrong += glint_paint_exact(&paint, &material, &output) != GLINT_OK;
+        wrong += glint_light_directional(&light, to_light) != GLINT_OK;
+        wrong += glint_paint_light(&paint, &light, 1, to_viewer) != GLINT_OK;
+        map.paint = &paint;
+        map.w = map.h = SIDE;
+        map.maps.normals = dome;
+        map.maps.normals_stride = sizeof dome / SIDE;
+        const uint8_t **const of[MAPS] = {&map.maps.albedo, &map.maps.gloss, &map.maps.coverage, &map.maps.grain,
+                                          &map.maps.shininess};
+        ptrdiff_t *const stride[MAPS] = {&map.maps.albedo_stride, &map.maps.gloss_stride, &map.maps.coverage_stride,
+                                         &map.maps.grain_stride, &map.maps.shininess_stride};
+        *of[k] = bytes;
+        *stride[k] = k ? SIDE : 3 * SIDE;
+        map.maps.albedo_format = GLINT_RGB888;
+        for (unsigned i = 0; i < PIXELS; i++)
+            whole[i] = BACKGROUND;
+        wrong += glint_draw_rect(&paint, &map.maps, SIDE, SIDE, &surface, NULL) != GLINT_OK;
+        objects[1].user_data = &map;
+        for (int32_t y = 0; y < SIDE; y += LINES) {
+            const lv_area_t lines = {at.x1 + 3, at.y1 + y, at.x1 + SIDE - 1, at.y1 + y + LINES - 1};
+            refresh(lines);
+            wrong += map.err != GLINT_OK;
+        }
+        for (unsigned i = 0; i < PIXELS; i++)
+            wrong += i % SIDE >= 3 && shown[at.y1 + (int32_t)i / SIDE][at.x1 + (int32_t)i % SIDE] != whole[i];
+    }
+    objects[1].at = at;
+    objects[1].user_data = badge;
+    return wrong;
+}
+
 int main(void)
 {
     if (badge_create())
         return 1;
     const lv_area_t of_canvas = objects[0].at, of_object = objects[1].at;
+    unsigned wrong = other_canvases() + maps_in_parts();
     for (int32_t y = 0; y < HEIGHT; y += 20) {
         const lv_area_t lines = {0, y, WIDTH - 1, y + 19};
         refresh(lines);
@@ -226,7 +291,6 @@ int main(void)
     for (int32_t y = odd.y1; y <= odd.y2; y++)
         memset(&shown[y][odd.x1], 0, 2 * (size_t)(odd.x2 - odd.x1 + 1));
     refresh(odd);
-    unsigned wrong = other_canvases();
     for (int32_t y = 0; y < 64; y++)
         for (int32_t x = 0; x < 64; x++)
             wrong +=

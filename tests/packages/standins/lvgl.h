@@ -11,13 +11,20 @@
 extern "C" {
 #endif
 
+#define LVGL_VERSION_MAJOR 9
+#ifndef LVGL_VERSION_MINOR /* a test asks for an older one, less its formats */
+#define LVGL_VERSION_MINOR 5
+#endif
+
 typedef enum {
     LV_COLOR_FORMAT_L8 = 0x06,
     LV_COLOR_FORMAT_RGB888 = 0x0f,
     LV_COLOR_FORMAT_ARGB8888 = 0x10,
     LV_COLOR_FORMAT_XRGB8888 = 0x11,
-    LV_COLOR_FORMAT_RGB565 = 0x12,
-    LV_COLOR_FORMAT_RGB565_SWAPPED = 0x1b
+#if LVGL_VERSION_MINOR >= 3
+    LV_COLOR_FORMAT_RGB565_SWAPPED = 0x1b,
+#endif
+    LV_COLOR_FORMAT_RGB565 = 0x12
 } lv_color_format_t;
 typedef enum {
     LV_EVENT_PRESSED = 1,

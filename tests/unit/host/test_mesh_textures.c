@@ -268,14 +268,16 @@ static void an_obj_wears_the_picture_that_its_material_names(void **state)
     assert_same_file("a.ppm", "b.ppm");
     assert_quarter("b.ppm", 1, 1, (uint8_t[]){9, 99, 199}, 0);
     assert_quiet("mv maps/four.png .");
-    /* Options before the name, which may have blanks. */
-    static const char *const options[] = {"-s 1 1 -o 1", "-clamp off -blendu on", "-mm 0 1 -bm .5 -s 1 1 1"};
+    /* Options before the name, which may have blanks, and begin as what is not a number does. */
+    static const char *const options[] = {"-s 1 1 -o 1 the four.png", "-clamp off -blendu on the four.png",
+                                          "-mm 0 1 -bm .5 -s 1 1 1 the four.png", "-s 1 1 infant.png", "-o 0 nan.png"};
+    assert_quiet("cp four.png 'the four.png'; cp four.png infant.png; cp four.png nan.png");
     for (unsigned i = 0; i < sizeof options / sizeof *options; i++) {
         char text[100];
-        snprintf(text, sizeof text, "newmtl a\n\tmap_Kd %s the four.png\n", options[i]);
+        snprintf(text, sizeof text, "newmtl a\n\tmap_Kd %s\n", options[i]);
         write_text("c.mtl", text);
         make_square("c.obj", "c.mtl");
-        assert_quiet("cp four.png 'the four.png'; $GLINT render --mesh c.obj" FLAT "-o c.ppm");
+        assert_quiet("$GLINT render --mesh c.obj" FLAT "-o c.ppm");
         assert_four("c.ppm");
     }
     assert_quiet("$GLINT stream --mesh a.obj" FLAT "--frames 1 --to ppm -o s.ppm");

@@ -84,6 +84,10 @@ static void what_cannot_be_drawn_is_one_line(void **state)
     assert_fails("$GLINT render --height huge.svg -o no.png", "huge.svg: this SVG states 100000x4 pixels");
     make_svg("endless.svg", "", DRAWING);
     assert_fails("$GLINT render --height endless.svg -o no.png", "give --size WxH");
+    assert_fails("$GLINT render --height endless.svg --size 250x240 --filter 64 -o no.png",
+                 "endless.svg: drawn at 16000x15360 pixels");
+    assert_fails("$GLINT bake --height endless.svg --size 16x16384 --filter 64 -o no.c",
+                 "endless.svg: drawn at 1024x1048576 pixels");
     assert_false(exists("no.png"));
 }
 
