@@ -79,6 +79,25 @@ static void lines_that_are_in_use_or_not_there_are_named(void **state)
     chip_remove(&chip);
 }
 
+/* As Raspberry Pi OS makes one on the Pi 5, so that the chip's old name goes on. */
+static void a_link_to_a_chip_is_no_second_chip_with_the_same_lines(void **state)
+{
+    (void)state;
+    static const char *const ways[] = {OPTIONS, "--to gpio --chip gpiochip99 --lines sck=SCK,mosi=1,dc=DC ",
+                                       "--to gpio --lines sck=gpiochip99:SCK,mosi=gpiochip99:1,dc=DC "};
+    struct chip chip;
+    struct process process;
+    chip_create(&chip, "panel", SPI, SPI_COUNT);
+    assert_int_equal(run("ln -s %s /dev/gpiochip99", chip.name), 0);
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++) {
+        process_start(&process, "$GLINT stream coin --size 6x4 --offset 0,0 --frames 1 %s", ways[i]);
+        assert_ended(&process, 0, 0, "");
+    }
+    assert_int_equal(run("test $($GLINT list | grep -c '  panel$') = 1"), 0);
+    assert_int_equal(run("rm /dev/gpiochip99"), 0);
+    chip_remove(&chip);
+}
+
 static void a_chip_that_may_not_be_opened_is_told_with_what_to_do(void **state)
 {
     (void)state;
@@ -173,6 +192,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(lines_that_are_in_use_or_not_there_are_named, lab_clean),
+        cmocka_unit_test_teardown(a_link_to_a_chip_is_no_second_chip_with_the_same_lines, lab_clean),
         cmocka_unit_test_teardown(a_chip_that_may_not_be_opened_is_told_with_what_to_do, lab_clean),
         cmocka_unit_test_teardown(a_chip_that_is_removed_ends_the_stream_with_one_line, lab_clean),
         cmocka_unit_test_teardown(whenever_it_is_interrupted_the_panel_is_left_dark_and_asleep, lab_clean),

@@ -3,6 +3,7 @@
 #include "unit.h"
 
 #include "known.h"
+#include "soon.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -81,11 +82,30 @@ static void a_panel_on_spidev_gets_the_frame_that_was_drawn(void **state)
     capture_free(&capture);
 }
 
+#define DRIVER "/sys/bus/spi/drivers/spidev/"
+
+static void a_device_that_is_taken_away_ends_the_stream_with_one_line(void **state)
+{
+    (void)state;
+    struct process process;
+    process_start(&process, "$GLINT stream coin --size 16x8 --offset 0,0 --to spi --lines dc=DC,reset=RST");
+    assert_soon(run("grep -q '|glint' /sys/kernel/debug/gpio") == 0);
+    assert_int_equal(run("echo spi0.0 >" DRIVER "unbind"), 0);
+    assert_int_equal(process_end(&process, 0), 1);
+    assert_int_equal(run("echo spi0.0 >" DRIVER "bind"), 0);
+    size_t size;
+    char *text = run_for_output(&size, "cat %s", process.output);
+    assert_string_equal(text, "glint: /dev/spidev0.0: it was removed while in use; plug it in or load its driver, then "
+                              "start again\n");
+    free(text);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(what_spidev_is_given_is_on_the_lines, lab_clean),
         cmocka_unit_test_teardown(a_panel_on_spidev_gets_the_frame_that_was_drawn, lab_clean),
+        cmocka_unit_test_teardown(a_device_that_is_taken_away_ends_the_stream_with_one_line, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

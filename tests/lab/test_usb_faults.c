@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * Data and devices that go astray: the picture is whole again, or the user reads why not. */
+#include "light_protocol.h"
 #include "usb_run.h"
 
 #include <fcntl.h>
@@ -96,6 +97,40 @@ static void a_display_unplugged_within_the_last_picture_is_a_failure(void **stat
     usb_display_be(&display, &config);
     assert_one_line(assert_ends("timeout 60 " STREAM OURS "--frames 1 --fps 10", 1, "unplugged")->err);
     usb_display_unplug(&display);
+}
+
+static void be_busy(void)
+{
+    honest();
+    config.trouble = CONTROL_STALL;
+    config.trouble_lasts = true;
+    config.trouble_request = GUD_SET_BUFFER;
+    config.trouble_status = GUD_BUSY;
+    usb_display_be(&display, &config);
+}
+
+/* As long as a board holds the light of another program that has just ended. */
+static void a_display_that_is_busy_for_some_seconds_is_waited_for(void **state)
+{
+    (void)state;
+    be_busy();
+    const pid_t stream = start("exec " STREAM OURS "--frames 4 --fps 10");
+    assert_soon(memchr(display.seen->requests, GUD_SET_BUFFER, display.seen->request_count));
+    usleep(LIGHT_HELD_MS * 1000);
+    display.seen->config.trouble = NO_TROUBLE;
+    assert_exits(stream, 0);
+    char text[1000];
+    read_text("stream.err", text, sizeof text);
+    assert_one_line(text);
+    assert_contains(text, "it refuses (STALL; status 1: busy); reinitialising it");
+    assert_last_frame(4);
+}
+
+static void a_display_that_stays_busy_ends_the_stream(void **state)
+{
+    (void)state;
+    be_busy();
+    assert_ends("timeout 60 " STREAM OURS "--frames 1", 1, "end the program that gives it light");
 }
 
 static void an_endpoint_that_halts_again_and_again_ends_the_stream(void **state)
@@ -231,6 +266,8 @@ int main(void)
         cmocka_unit_test(a_tall_picture_is_sent_again_to_its_end),
         cmocka_unit_test(the_only_picture_of_a_stream_is_sent_again_too),
         cmocka_unit_test(a_display_unplugged_within_the_last_picture_is_a_failure),
+        cmocka_unit_test(a_display_that_is_busy_for_some_seconds_is_waited_for),
+        cmocka_unit_test(a_display_that_stays_busy_ends_the_stream),
         cmocka_unit_test(an_endpoint_that_halts_again_and_again_ends_the_stream),
         cmocka_unit_test(a_display_that_takes_no_data_is_reinitialised),
         cmocka_unit_test(a_display_that_never_takes_data_again_ends_the_stream),

@@ -44,6 +44,14 @@ static const char *request_name(uint8_t request)
     }
 }
 
+static bool refused_by_status(uint8_t request, const char *how, uint8_t status, struct gud_problem *problem)
+{
+    gud_problem_is(problem, GUD_LINK_STALL, "%s: it refuses (%sstatus %u: %s)", request_name(request), how, status,
+                   status_words(status));
+    problem->busy = status == GUD_BUSY;
+    return false;
+}
+
 /* A STALL says nothing yet: the status that is read after it does. */
 static bool refused(struct gud_link *link, uint8_t request, int result, struct gud_problem *problem)
 {
@@ -51,8 +59,7 @@ static bool refused(struct gud_link *link, uint8_t request, int result, struct g
     uint8_t status = GUD_OK;
     if (fault == GUD_LINK_STALL && request != GUD_GET_STATUS &&
         link->control(link->context, true, GUD_GET_STATUS, 0, &status, 1) == 1)
-        return gud_problem_is(problem, fault, "%s: it refuses (STALL; status %u: %s)", request_name(request), status,
-                              status_words(status));
+        return refused_by_status(request, "STALL; ", status, problem);
     return gud_problem_is(problem, fault, "%s: %s", request_name(request), gud_fault_words(fault));
 }
 
@@ -79,8 +86,7 @@ static bool set(struct gud_link *link, uint8_t request, uint16_t value, uint8_t 
     uint8_t status = GUD_OK;
     if (link->status_wanted && get(link, GUD_GET_STATUS, 0, &status, 1, problem) < 0)
         return false;
-    return status == GUD_OK || gud_problem_is(problem, GUD_LINK_STALL, "%s: it refuses (status %u: %s)",
-                                              request_name(request), status, status_words(status));
+    return status == GUD_OK || refused_by_status(request, "", status, problem);
 }
 
 static uint32_t first_u32(const uint8_t *bytes)

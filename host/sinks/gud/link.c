@@ -11,6 +11,7 @@ bool gud_problem_is(struct gud_problem *problem, enum gud_link_fault fault, cons
     vsnprintf(problem->text, sizeof problem->text, format, arguments);
     va_end(arguments);
     problem->fault = fault;
+    problem->busy = false;
     return false;
 }
 

@@ -25,6 +25,7 @@ enum gud_link_fault {
 struct gud_problem {
     enum gud_link_fault fault; /* GUD_LINK_ERROR where the answer is wrong */
     char text[200];
+    bool busy; /* the device says so: it may do it later */
 };
 
 /* Always false, for `return`. */

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/message.h"
 #include "base/stop.h"
+#include "light_protocol.h"
 #include "sinks/gud/choose.h"
 #include "sinks/gud/pack.h"
 #include "sinks/usb/bulk.h"
@@ -77,7 +78,7 @@ static bool configure(struct usb_sink *usb, const struct sink_wish *wish, struct
 static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_device *device,
                                         const struct sink_wish *wish, char *line, size_t size)
 {
-    struct gud_problem problem = {GUD_LINK_ERROR, "the kernel's driver has taken it"};
+    struct gud_problem problem = {.fault = GUD_LINK_ERROR, .text = "the kernel's driver has taken it"};
     const char *name = usb_name(device, usb->name, sizeof usb->name);
     const enum usb_opened opened = usb_port_open(&usb->port, device->device, device->interface,
                                                  usb_options.detach ? &usb->detached : NULL, &problem);
@@ -230,17 +231,19 @@ static bool is_gone(struct usb_sink *usb)
     return usb_control(&usb->port, true, GUD_GET_STATUS, 0, &status, 1) == GUD_LINK_GONE;
 }
 
-/* After a fault: the whole picture, or why not. */
+/* After a fault: the whole picture, or why not. A board that shows its own picture under a computer's light is busy until that light
+ * is LIGHT_HELD_MS old. */
 static int recover(struct usb_sink *usb, const struct frame *frame, int fault, struct gud_problem *problem)
 {
-    enum { TRIES = 3, PAUSE_MS = 300 /* by then the system knows whether a device is gone */ };
+    enum { PAUSE_MS = 300 /* by then the system knows whether a device is gone */, TRIES = 3 };
+    enum { BUSY_TRIES = LIGHT_HELD_MS / PAUSE_MS + TRIES };
     for (unsigned i = 0; fault && fault != GUD_LINK_STOPPED; i++) {
         if (fault == GUD_LINK_GONE && is_gone(usb))
             break;
         usb->port.fault = 0; /* it is told here */
-        if (i == TRIES)
-            fail("%s: %s, and again after %d attempts to reinitialise it; plug it in again", usb->name, problem->text,
-                 TRIES);
+        if (problem->busy ? i >= BUSY_TRIES : i >= TRIES)
+            fail("%s: %s, and again after %u attempts to reinitialise it; %s", usb->name, problem->text, i,
+                 problem->busy ? "end the program that gives it light" : "plug it in again");
         if (i == 0)
             warn("%s: %s; reinitialising it", usb->name, problem->text);
         usb_pause_ms(PAUSE_MS);

@@ -35,7 +35,7 @@ static struct sink_cost cost_of(const struct gpio_options *options)
 static _Noreturn void fail_bus(const struct display *display)
 {
     const int reason = gpio_bus_error(display->bus);
-    if (reason == ENODEV || reason == ENXIO)
+    if (reason == ENODEV || reason == ENXIO || reason == ESHUTDOWN) /* as spidev says it */
         fail("%s: it was removed while in use; plug it in or load its driver, then start again", display->sink.name);
     fail("%s: writing to the panel failed: %s", display->sink.name, strerror(reason));
 }

@@ -79,6 +79,15 @@ static unsigned chip_called(const struct chips *chips, const char *text)
     return i;
 }
 
+/* A link in /dev to one before it, as Raspberry Pi OS has gpiochip4 for the Pi 5's gpiochip0. */
+static bool is_again(const struct chips *chips, unsigned i)
+{
+    for (unsigned k = 0; k < i && chips->open[i]; k++)
+        if (chips->open[k] && strcmp(gpio_chip_name(chips->open[k]), gpio_chip_name(chips->open[i])) == 0)
+            return true;
+    return false;
+}
+
 static _Noreturn void fail_chip(const struct chips *chips, const struct gpio_line_wish *wish, const char *text)
 {
     char *known = NULL;
@@ -171,7 +180,8 @@ static struct gpio_found found_by_name(struct chips *chips, const struct gpio_li
 {
     struct search search = {.name = name, .apart = UINT32_MAX};
     for (unsigned i = first; i < end; i++)
-        search_chip(chips, i, &search);
+        if (i == first || !is_again(chips, i)) /* first: it may be the link that is asked for */
+            search_chip(chips, i, &search);
     if (search.found == 0)
         fail_name(chips, wish, &search);
     if (search.found > 1)

@@ -166,6 +166,19 @@ static json_t *list_chip(struct gpio_chip *chip)
                      "lines", lines);
 }
 
+/* By another name in /dev. */
+static bool is_listed(const json_t *chips, const struct gpio_chip *chip)
+{
+    size_t i;
+    json_t *other;
+    json_array_foreach(chips, i, other)
+    {
+        if (strcmp(json_string_value(json_object_get(other, "chip")), gpio_chip_name(chip)) == 0)
+            return true;
+    }
+    return false;
+}
+
 json_t *gpio_lines_list(void)
 {
     json_t *chips = json_array();
@@ -176,7 +189,8 @@ json_t *gpio_lines_list(void)
         snprintf(path, sizeof path, "/dev/%s", names[i]);
         struct gpio_chip *chip = gpio_chip_open(path);
         if (chip) {
-            json_array_append_new(chips, list_chip(chip));
+            if (!is_listed(chips, chip))
+                json_array_append_new(chips, list_chip(chip));
             gpio_chip_close(chip);
         } else {
             const int reason = errno;

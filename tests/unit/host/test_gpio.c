@@ -54,6 +54,28 @@ static void lines_may_be_on_several_chips_and_active_low(void **state)
     assert_true(*wire("LIGHT"));
 }
 
+/* As Raspberry Pi OS has gpiochip4 for the Pi 5's gpiochip0. */
+static void a_link_to_a_chip_is_no_second_chip_with_the_same_lines(void **state)
+{
+    (void)state;
+    struct gpio_options options = wires(GPIO_BUS_SPI);
+    is_linked = true;
+    options.chip = NULL;
+    options.lines[ROLE_SCK].text = "main:SCK";
+    struct sink *sink = opened(&options);
+    send_two_pieces(sink);
+    close_and_check(sink);
+    const struct gpio_found found =
+        gpio_find(NULL, &(struct gpio_line_wish){.origin = "--lines", .role = "dc", .text = "gpiochip11:DC"});
+    assert_string_equal(gpio_chip_name(found.chip), "gpiochip0");
+    assert_int_equal(found.offset, 8);
+    gpio_chip_close(found.chip);
+    json_t *list = gpio_lines_list();
+    assert_int_equal(json_array_size(list), CHIPS);
+    json_decref(list);
+    assert_int_equal(open_chips, 0);
+}
+
 static void an_8080_byte_takes_two_calls_and_an_spi_bit_two(void **state)
 {
     (void)state;
@@ -124,6 +146,7 @@ int main(void)
         cmocka_unit_test(a_frame_over_an_8080_bus_is_seen_on_the_panel),
         cmocka_unit_test(a_frame_over_the_fewest_wires_is_seen_on_the_panel),
         cmocka_unit_test(lines_may_be_on_several_chips_and_active_low),
+        cmocka_unit_test(a_link_to_a_chip_is_no_second_chip_with_the_same_lines),
         cmocka_unit_test(an_8080_byte_takes_two_calls_and_an_spi_bit_two),
         cmocka_unit_test(letters_are_counted_as_people_mistake_them),
         cmocka_unit_test(the_list_has_every_chip_with_its_lines_and_their_users),

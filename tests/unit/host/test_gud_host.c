@@ -283,6 +283,24 @@ static void a_status_that_is_asked_for_counts_as_a_refusal(void **state)
     assert_string_equal(problem.text, "the mode and format: it refuses (status 1: busy)");
 }
 
+/* By a STALL and the status behind it, or by the status that it wants read. */
+static void a_display_that_is_busy_may_take_the_picture_later(void **state)
+{
+    (void)state;
+    const struct piece piece = {{0, 0, 1, 1}, false, 2, 2, NULL};
+    for (unsigned i = 0; i < 4; i++) {
+        const bool stalls = i % 2, busy = i / 2;
+        struct liar liar = {.status = busy ? GUD_BUSY : GUD_PARAMETER,
+                            .fault_request = GUD_SET_BUFFER,
+                            .fault = stalls ? GUD_LINK_STALL : 0};
+        struct gud_link link = {.context = &liar, .control = lie, .status_wanted = !stalls};
+        struct gud_problem problem;
+        assert_false(gud_rectangle_announce(&link, &piece, &problem));
+        assert_int_equal(problem.fault, GUD_LINK_STALL);
+        assert_int_equal(problem.busy, busy);
+    }
+}
+
 static void what_is_longer_than_can_be_is_cut(void **state)
 {
     (void)state;
@@ -362,6 +380,7 @@ int main(void)
         cmocka_unit_test(a_mode_of_more_pixels_than_glint_shades_is_refused),
         cmocka_unit_test(a_display_of_whole_frames_gets_no_lz4),
         cmocka_unit_test(a_status_that_is_asked_for_counts_as_a_refusal),
+        cmocka_unit_test(a_display_that_is_busy_may_take_the_picture_later),
         cmocka_unit_test(what_is_longer_than_can_be_is_cut),
         cmocka_unit_test(every_request_that_fails_is_named_with_its_reason),
         cmocka_unit_test(pixels_take_the_order_that_gud_wants),
