@@ -219,6 +219,12 @@ run([
         const little = png({ width: 4, height: 4, type: 0, depth: 8, sample: x => 60 * x, behind: 9 })
         equal(drawn('a.png', Uint8Array.from(little), '--height='), '', 'what it says of a few bytes')
     }],
+    ['a picture that says twice how large it is is damaged', () => {
+        const wide = png({ width: 100000, height: 2, type: 0, depth: 8, sample: () => 200 }), small = Buffer.from(wide.subarray(8, 33))
+        small.writeUInt32BE(2, 8)
+        small.writeUInt32BE(crc(small.subarray(4, 21)), 21)
+        equal(drawn('a.png', Uint8Array.from([...wide.subarray(0, 8), ...small, ...wide.subarray(8)]), '--height='), 'a.png: damaged PNG: it says twice how large it is; save it again', 'what it says')
+    }],
     ['a colour profile is not inflated, whatever the pixels are', () => {
         const bomb = png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 200, extra: [['iCCP', Buffer.concat([Buffer.from('a\0\0'), Buffer.from('no profile')])]] })
         equal(drawn('a.png', Uint8Array.from(bomb), '--height='), '', 'what it says of a profile')

@@ -58,6 +58,8 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
     } catch (error) {
         return damaged((error as Error).message.replace(/(: undefined)?\W*$/, ''))
     }
+    if (png.width !== width || png.height !== height) // by another chunk than the first
+        damaged('it says twice how large it is')
     if (bytes[28] && png.depth < 8)
         throw new Error(`${name}: an interlaced PNG with ${png.depth} bits a sample; save it without interlacing`)
     try {
