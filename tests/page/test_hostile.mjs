@@ -199,6 +199,8 @@ run([
         shared.accessors = shared.accessors.map(accessor => ({ ...accessor, count: accessor.type === 'SCALAR' ? accessor.count : 1 << 20, byteOffset: 0 }))
         shared.bufferViews = shared.bufferViews.map(view => ({ ...view, byteStride: 0 }))
         check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(shared))), '--mesh=').includes('vertices'), 'it does not say so of vertices')
+        const worn = { ...json, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }], materials: Array(5000).fill({}), meshes: [{ primitives: Array.from({ length: 5000 }, (_, material) => ({ ...primitive, material })) }] }
+        check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(worn))), '--mesh=').includes('has 5000 materials'), 'it does not say so of materials')
     }],
     ['a picture whose palette is too short, or is not there, is damaged', () => {
         for (const extra of [[['PLTE', [1, 2, 3]]], []]) {
