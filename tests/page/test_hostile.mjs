@@ -221,6 +221,12 @@ run([
         const little = png({ width: 4, height: 4, type: 0, depth: 8, sample: x => 60 * x, behind: 9 })
         equal(drawn('a.png', Uint8Array.from(little), '--height='), '', 'what it says of a few bytes')
     }],
+    ['a picture of few bits that is interlaced is told to be so, whatever its lines are', () => {
+        const laced = png({ width: 9, height: 9, type: 0, depth: 1, sample: () => 1 })
+        laced[28] = 1
+        laced.writeUInt32BE(crc(laced.subarray(12, 29)), 29)
+        equal(drawn('a.png', Uint8Array.from(laced), '--height='), 'a.png: an interlaced PNG with 1 bits a sample; save it without interlacing', 'what it says')
+    }],
     ['a picture that says twice how large it is is damaged', () => {
         const wide = png({ width: 100000, height: 2, type: 0, depth: 8, sample: () => 200 }), small = Buffer.from(wide.subarray(8, 33))
         small.writeUInt32BE(2, 8)

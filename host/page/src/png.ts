@@ -52,6 +52,8 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
         damaged(`it has ${width}x${height} pixels`)
     if (width > sideMax || height > sideMax || width * height > pixelsMax)
         throw new Error(`${name}: ${width}x${height} pixels; at most ${sideMax} a side and ${pixelsMax} in all are allowed`)
+    if (bytes[28] && bytes[24] < 8)
+        throw new Error(`${name}: an interlaced PNG with ${bytes[24]} bits a sample; save it without interlacing`)
     let png: DecodedPng
     try {
         png = decode(withoutBombs(bytes, 8 * (width + 1) * (height + 8)), { checkCrc: true })
@@ -60,8 +62,6 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
     }
     if (png.width !== width || png.height !== height) // by another chunk than the first
         damaged('it says twice how large it is')
-    if (bytes[28] && png.depth < 8)
-        throw new Error(`${name}: an interlaced PNG with ${png.depth} bits a sample; save it without interlacing`)
     try {
         return widen(png, bytes[25] === 3)
     } catch { // the decoder believes that there is a palette
