@@ -154,6 +154,15 @@ run([
                 check(bytes.equals(saved[name]) && bytes.equals(own[`picture/${name}`]), `${look}: ${name} is for another one`)
         }
     }],
+    ['a program takes no map of scratches where they do not show, which the library refuses beside one of shininess', async () => {
+        await browser.go(start)
+        await browser.drop({ 'grey8.png': surfaces['grey8.png'].bytes, 'grain.png': extras['grain.png'] })
+        await browser.until(() => document.body.dataset.kept === 'grain.png')
+        await browser.go(fragment(['--height=grey8.png', '--filter=2', '--grain=grain.png']))
+        await shownIsDrawn()
+        const draws = unzipped((await browser.save('file-c', 1))['picture.zip'])['picture/picture.h'].toString()
+        check(draws.includes('maps.shininess') && !draws.includes('maps.grain'), draws)
+    }],
     ['programs for LVGL and Arduino hold what they include', async () => {
         await browser.go(fragment(['--scene=knob', '--size=40x40', '--format=rgb888']))
         await shownIsDrawn()
