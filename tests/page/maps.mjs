@@ -67,6 +67,7 @@ function normal(x, y, k) {
 const bits = (depth) => (value) => Math.round(value * (2 ** depth - 1))
 const gamma = ['gAMA', [0, 0, 0xb1, 0x8f]] // 1 / 2.2: to be left alone
 const palette = Array.from({ length: 16 }, (_, i) => [17 * i, 255 - 12 * i, 40 + 13 * i]).flat()
+const suggested = Array.from({ length: 256 }, (_, i) => [255 - i, i, 7 * i & 255]).flat()
 const disc = (x, y) => Math.max(0, Math.min(1, 12 - Math.hypot(x - width / 2, y - height / 2)))
 
 /** name: [bytes, the words that use it as a surface]. */
@@ -85,6 +86,8 @@ export const surfaces = Object.fromEntries([
     ['rgb16', { type: 2, depth: 16, sample: (x, y, k) => bits(16)(normal(x, y, k)), extra: [gamma] }, ['--normals']],
     ['rgba8', { type: 6, depth: 8, sample: (x, y, k) => k === 3 ? bits(8)(disc(x, y)) : bits(8)(normal(x, y, k)) }, ['--normals']],
     ['rgba16', { type: 6, depth: 16, sample: (x, y, k) => k === 3 ? bits(16)(disc(x, y)) : bits(16)(normal(x, y, k)) }, ['--normals', '--flip-y']],
+    ['rgb8 that suggests a palette', { type: 2, depth: 8, sample: (x, y, k) => bits(8)(normal(x, y, k)), extra: [['PLTE', suggested]] }, ['--normals']],
+    ['rgb16 that suggests a palette', { type: 2, depth: 16, sample: (x, y, k) => bits(16)(normal(x, y, k)), extra: [['PLTE', suggested]] }, ['--normals']],
     ['grey and alpha', { type: 4, depth: 8, sample: (x, y, k) => bits(8)(normal(x, y, k)) }, ['--normals']],
 ].map(([name, kind, words]) => [`${name.replaceAll(' ', '-')}.png`, { bytes: png({ width, height, ...kind }), words }]))
 

@@ -144,6 +144,25 @@ run([
         const expected = command.raw([...words, `--color=${color}`, ...gloss, '--path=exact-int8'])
         check(pixels.equals(expected), `${pixels.length} bytes, the command's ${expected.length}; the first that differs is ${pixels.findIndex((byte, i) => byte !== expected[i])}`)
     }]),
+    ['normals of a surface that is filtered are saved for the shininess of the picture', async () => {
+        for (const [look, n] of [['-n77', 77], ['--roughness=.4', 76]]) {
+            await browser.go(fragment(['--scene=dial', '--size=30x30', '--filter=2', look]))
+            await shownIsDrawn()
+            const expected = command.files(['bake', '--scene=dial', '--filter=2', '--size=30x30', `-n${n}`, '--to=int8', '-o', 'normals.c'])
+            const saved = await browser.save('file-int8', 2), own = unzipped((await browser.save('file-c', 1))['picture.zip'])
+            for (const [name, bytes] of Object.entries(expected))
+                check(bytes.equals(saved[name]) && bytes.equals(own[`picture/${name}`]), `${look}: ${name} is for another one`)
+        }
+    }],
+    ['a program takes no map of scratches where they do not show, which the library refuses beside one of shininess', async () => {
+        await browser.go(start)
+        await browser.drop({ 'grey8.png': surfaces['grey8.png'].bytes, 'grain.png': extras['grain.png'] })
+        await browser.until(() => document.body.dataset.kept === 'grain.png')
+        await browser.go(fragment(['--height=grey8.png', '--filter=2', '--grain=grain.png']))
+        await shownIsDrawn()
+        const draws = unzipped((await browser.save('file-c', 1))['picture.zip'])['picture/picture.h'].toString()
+        check(draws.includes('maps.shininess') && !draws.includes('maps.grain'), draws)
+    }],
     ['programs for LVGL and Arduino hold what they include', async () => {
         await browser.go(fragment(['--scene=knob', '--size=40x40', '--format=rgb888']))
         await shownIsDrawn()

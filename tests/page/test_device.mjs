@@ -163,6 +163,30 @@ run([
         await press('Undo')
         await follows()
     }],
+    ['colours of the user\'s become their mean on the board, beside a scene, and beside a logo that is scaled to the panel', async () => {
+        const colours = png({ width: 50, height: 50, type: 2, depth: 8, sample: (x, y, k) => [200, 2 * x, 30][k] }), logo = png({ width: 20, height: 30, type: 0, depth: 8, sample: (x, y) => x > 4 && y > 9 ? 255 : 0 })
+        await browser.go(fragmentOf(stateOfWords(['--scene=coin', '--size=50x50', '--light=-.5,.5,1'])))
+        await browser.drop({ 'logo.png': logo })
+        await browser.until(() => document.body.dataset.drawn?.includes('logo.png'))
+        await browser.drop({ 'albedo.png': colours })
+        await browser.until(() => document.body.dataset.drawn?.includes('albedo.png'))
+        command.put('logo.png', logo)
+        command.put('albedo.png', colours)
+        for (const [name, bytes] of [['logo.png', logo], ['albedo.png', colours]])
+            engine.addMap(name, readPng(name, bytes))
+        await connect()
+        const draws = () => drawnAs(state => wordsOf(onDevice(state, width, height, '200,49,30')))
+        check((await draws()).includes('--fit=70'), 'the logo is not scaled')
+        await press('Coin')
+        await browser.drop({ 'albedo.png': colours })
+        await browser.until(() => /scene=coin.*albedo.png/.test(document.body.dataset.drawn))
+        check((await draws()).includes('--scene=coin'), 'no scene')
+        await connect()
+        await says('Disconnected')
+        await browser.go(fragmentOf(stateOfWords(words)))
+        await connect()
+        await follows()
+    }],
     ['what the board cannot draw is said, and it keeps its picture', async () => {
         const { length } = (await board()).lights
         await page.evaluate(() => document.getElementById('add-light').click())

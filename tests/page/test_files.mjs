@@ -391,7 +391,7 @@ run([
         await browser.until(() => document.getElementById('refusal').textContent === 'full.png: the browser has no room to keep it; it is gone when the page is closed')
         check((await shownIsDrawn()).includes('--height=full.png'), await browser.text('command'))
     }],
-    ['two tabs keep files by name as one folder does: what one forgets or replaces another shows until it is loaded again', async () => {
+    ['two tabs keep files by name as one folder does: what one forgets or replaces another shows until it is loaded again; a new file is kept whatever the clock says', async () => {
         const other = Object.assign(Object.create(browser), { page: await browser.browser.newPage() }), [old, newer] = ['grey8.png', 'grey16.png'].map(name => surfaces[name].bytes)
         const drop = async (tab, name, bytes) => {
             await tab.page.bringToFront()
@@ -428,6 +428,10 @@ run([
         await again('12')
         await load()
         equal(await browser.text('refusal'), 'shared.png: this map is not here; drop or choose the file', 'what it says')
+        await page.evaluate(() => { Date.now = () => 0 }) // the clock is set back
+        await drop(browser, 'shared.png', old)
+        await load()
+        await shows(old)
         await other.page.close()
     }],
     ['nothing was written to the console as an error', () => equal(browser.wrong.join('\n'), '', 'errors')],

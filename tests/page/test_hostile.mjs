@@ -199,10 +199,14 @@ run([
         shared.accessors = shared.accessors.map(accessor => ({ ...accessor, count: accessor.type === 'SCALAR' ? accessor.count : 1 << 20, byteOffset: 0 }))
         shared.bufferViews = shared.bufferViews.map(view => ({ ...view, byteStride: 0 }))
         check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(shared))), '--mesh=').includes('vertices'), 'it does not say so of vertices')
+        const worn = { ...json, nodes: [{ mesh: 0 }], scenes: [{ nodes: [0] }], materials: Array(5000).fill({}), meshes: [{ primitives: Array.from({ length: 5000 }, (_, material) => ({ ...primitive, material })) }] }
+        check(drawn('a.gltf', Uint8Array.from(Buffer.from(JSON.stringify(worn))), '--mesh=').includes('has 5000 materials'), 'it does not say so of materials')
     }],
-    ['a picture whose palette is too short is damaged', () => {
-        const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra: [['PLTE', [1, 2, 3]]] })), '--height=')
-        check(said.startsWith('a.png: damaged PNG'), said)
+    ['a picture whose palette is too short, or is not there, is damaged', () => {
+        for (const extra of [[['PLTE', [1, 2, 3]]], []]) {
+            const said = drawn('a.png', Uint8Array.from(png({ width: 4, height: 4, type: 3, depth: 8, sample: () => 200, extra })), '--height=')
+            equal(said, 'a.png: damaged PNG: its palette is not there, or too short; save it again', 'what it says')
+        }
     }],
     ['a picture that has fewer lines than it says is damaged, in words', () => {
         const short = png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 200 })
@@ -216,6 +220,26 @@ run([
         equal(drawn('a.png', Uint8Array.from(bomb), '--height='), 'a.png: damaged PNG: there is more in it than its pixels; save it again', 'what it says')
         const little = png({ width: 4, height: 4, type: 0, depth: 8, sample: x => 60 * x, behind: 9 })
         equal(drawn('a.png', Uint8Array.from(little), '--height='), '', 'what it says of a few bytes')
+    }],
+    ['a picture of few bits that is interlaced is told to be so, whatever its lines are', () => {
+        const laced = png({ width: 9, height: 9, type: 0, depth: 1, sample: () => 1 })
+        laced[28] = 1
+        laced.writeUInt32BE(crc(laced.subarray(12, 29)), 29)
+        equal(drawn('a.png', Uint8Array.from(laced), '--height='), 'a.png: an interlaced PNG with 1 bits a sample; save it without interlacing', 'what it says')
+    }],
+    ['a picture that says twice how large it is is damaged', () => {
+        const wide = png({ width: 100000, height: 2, type: 0, depth: 8, sample: () => 200 }), small = Buffer.from(wide.subarray(8, 33))
+        small.writeUInt32BE(2, 8)
+        small.writeUInt32BE(crc(small.subarray(4, 21)), 21)
+        equal(drawn('a.png', Uint8Array.from([...wide.subarray(0, 8), ...small, ...wide.subarray(8)]), '--height='), 'a.png: damaged PNG: it says twice how large it is; save it again', 'what it says')
+    }],
+    ['a colour profile is not inflated, whatever the pixels are', () => {
+        const bomb = png({ width: 4, height: 4, type: 0, depth: 8, sample: () => 200, extra: [['iCCP', Buffer.concat([Buffer.from('a\0\0'), Buffer.from('no profile')])]] })
+        equal(drawn('a.png', Uint8Array.from(bomb), '--height='), '', 'what it says of a profile')
+        const at = bomb.lastIndexOf('IDAT')
+        bomb[at + 4] = 255 // no zlib stream begins so
+        bomb.writeUInt32BE(crc(bomb.subarray(at, -16)), bomb.length - 16)
+        equal(drawn('a.png', Uint8Array.from(bomb), '--height='), 'a.png: damaged PNG: Error while decompressing the data; save it again', 'what it says of pixels')
     }],
     ['textures that are too large together are refused, those of a glTF and those beside an OBJ', () => {
         const half = png({ width: 4097, height: 4096, type: 0, depth: 1, sample: () => 0 }), materials = [0, 1].map(index => ({ pbrMetallicRoughness: { baseColorTexture: { index } } }))

@@ -327,7 +327,7 @@ run([
             command.put(name, name === 'clothed.obj' ? files[name].replace('things/', '') : files[name])
         const given = without => together(Object.entries(files).filter(([name]) => name !== without).map(([name, bytes]) => ({ name, bytes: new Uint8Array(Buffer.from(bytes)) })))
         engine.addMesh('clothed.obj', given())
-        for (const more of [['--format=rgb565'], ['--turn=20,-50,10', '--nearest'], ['--no-textures']])
+        for (const more of [['--format=rgb565'], ['--turn=20,-50,10', '--nearest'], ['--no-textures'], ['--color=200,60,30'], ['--material=gold'], ['--nearest']]) // in one colour it wears none, and then it does again
             same(engine, ['--mesh=clothed.obj', '--size=80x70', ...more])
         const said = without => {
             engine.addMesh('clothed.obj', given(without))
@@ -410,7 +410,7 @@ run([
         for (const [name, bytes] of Object.entries(files)) {
             command.put(name, bytes)
             engine.addMesh(name, new Uint8Array(bytes))
-            for (const more of [['--format=rgb565'], ['--turn=20,-50,10', '--perspective=3'], ['--turn=70,10,0', '--no-outlines', '--crease=30', '-n90', '--light=1,1,1']])
+            for (const more of [['--format=rgb565'], ['--turn=20,-50,10', '--perspective=3'], ['--color=200,60,30'], ['--material=gold', '--path=exact-int8'], ['--turn=70,10,0', '--no-outlines', '--crease=30', '-n90', '--light=1,1,1']])
                 same(engine, [`--mesh=${name}`, '--size=80x70', ...more])
             const list = ['bake', `--mesh=${name}`, '-o', 'mesh.c'], expected = command.files(list), { files: saved } = engine.run([`glint ${list[0]}`, ...list.slice(1)])
             equal(saved.map(file => file.name).sort().join(), Object.keys(expected).sort().join(), name)

@@ -160,6 +160,26 @@ run([
             }).map(({ id }) => id).join()), '', `out of reach at ${width}`)
         }
     }],
+    ['in the user\'s own colours what is switched on, pressed or chosen looks other than what is not', async () => {
+        if (isFirefox) // which cannot be told so by puppeteer
+            return
+        const session = await page.createCDPSession(), forced = value => session.send('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value }] })
+        await browser.resize(800, 600)
+        await browser.go(start)
+        await forced('active')
+        const looks = async (of, change) => {
+            const one = async () => (await page.$(of)).screenshot({ encoding: 'base64' }), before = await one()
+            await page.evaluate(change, of)
+            await page.mouse.move(1, 1)
+            check(await one() !== before, `${of} looks the same`)
+        }
+        await browser.tab('output')
+        await looks('#control-dither', of => { document.querySelector(of).checked = true })
+        await looks('#code', of => document.querySelector(of).setAttribute('aria-pressed', 'true'))
+        await looks('#tab-scene', of => document.querySelector(of).setAttribute('aria-selected', 'true'))
+        await forced('none')
+        await session.detach()
+    }],
     ['an address with ?embed shows the stage alone', async () => {
         await page.goto('about:blank')
         await page.goto(`${browser.url}?embed#${start}`)

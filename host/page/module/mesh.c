@@ -48,6 +48,8 @@ struct shading mesh_draw(const struct shading_options *look, uint32_t width, uin
         kept.mesh = mesh_load(&look->scene.mesh);
         kept.fitted = mesh_fit(kept.mesh, 0);
         shading_options_grain(look, kept.fitted);
+        if (shading_options_one_color(look))
+            fitted_forget_colors(kept.fitted);
         if (look->scene.mesh.stepped)
             fitted_forget_neighbours(kept.fitted);
     }

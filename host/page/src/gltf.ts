@@ -24,6 +24,7 @@ export const isGltf = (name: string) => /\.(gltf|glb)$/i.test(name)
 
 /** What of a file is read at most: nodes that have others, or parts that have vertices, many times over would have no end. */
 const nodesMost = 1 << 16, trianglesMost = 1 << 18, elementsMost = 1 << 23
+const materialsMost = 4096 // as the command has it
 class Refused extends Error {}
 
 /** Throws an Error whose message is a sentence. */
@@ -72,7 +73,7 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
 
     // ---- primitives in the order of nodes, and their materials: of children first ----
 
-    const found: { primitive: Primitive, matrix: Matrix }[] = [], used: number[] = []
+    const found: { primitive: Primitive, matrix: Matrix }[] = [], used = new Map<number, number>()
     let visited = 0
     const visit = (i: number, depth: number, parent: Matrix): void => {
         const node = json.nodes?.[i] ?? damaged(), own = node.mesh === undefined ? [] : json.meshes?.[node.mesh]?.primitives ?? damaged()
@@ -89,12 +90,15 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
             refuse(`has more than ${nodesMost} parts; export it as one mesh`)
         found.push(...own.map(primitive => ({ primitive, matrix })))
         node.children?.forEach(child => visit(child, depth + 1, matrix))
-        used.push(...own.flatMap(({ material }) => material === undefined || used.includes(material) ? [] : [material]))
+        own.forEach(({ material }) => { if (material !== undefined && !used.has(material)) used.set(material, used.size) })
     }
     const scene = json.scenes?.[json.scene ?? 0]
     scene?.nodes?.forEach(node => visit(node, 0, plain))
     if (!found.length)
         refuse('has no triangles; name another mesh')
+    if (used.size > materialsMost)
+        refuse(`has ${used.size} materials; join some`)
+
     // ---- materials in the order in which libassimp meets them; after them stands the one of what names none ----
 
     const pictures: number[] = []
@@ -109,7 +113,7 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         return pictures.indexOf(image) + 1
     }
     const bases: number[][] = []
-    const materials = [...used.map(i => json.materials?.[i] ?? damaged()), {}].map(({ pbrMetallicRoughness: pbr = {}, extensions }: Material) => {
+    const materials = [...[...used.keys()].map(i => json.materials?.[i] ?? damaged()), {}].map(({ pbrMetallicRoughness: pbr = {}, extensions }: Material) => {
         const factor = pbr.baseColorFactor ?? [1, 1, 1, 1]
         if (factor.length !== 4 || !factor.every(Number.isFinite))
             damaged()
@@ -128,7 +132,7 @@ function soupOf(file: Uint8Array<ArrayBuffer>, refuse: (why: string) => never, d
         refuse('has parts of different kinds; export it as triangles, all with the same attributes')
     const faces: number[] = []
     for (const { primitive: { attributes, indices, material }, matrix } of found) {
-        const part = material === undefined ? used.length : used.indexOf(material)
+        const part = material === undefined ? used.size : used.get(material)!
         const places = moved(numbers(attributes.POSITION ?? damaged(), ['VEC3 5126']).values, matrix), count = places.length / 3
         const normals = has('NORMAL') ? turned(numbers(attributes.NORMAL, ['VEC3 5126']).values, matrix) : undefined
         const uv = has('TEXCOORD_0') ? numbers(attributes.TEXCOORD_0, ['VEC2 5126']).values : undefined

@@ -98,7 +98,8 @@ export async function keepFile(name: string): Promise<boolean> {
                 times.push([(result.value as Kept).name, (result.value as Kept).time])
                 result.continue()
             } else {
-                times.sort(([, a], [, b]) => b - a).slice(keepsAtMost).forEach(([old]) => store.delete(old))
+                times.filter(([of]) => of !== name) // this one is the newest, even by a clock that was set back
+                    .sort(([, a], [, b]) => b - a).slice(keepsAtMost - 1).forEach(([old]) => store.delete(old))
             }
         }
         await isKept

@@ -110,11 +110,12 @@ async function mapOnDevice(state: State, width: number, height: number): Promise
 }
 
 let colour = { surface: '', text: '' }
-/** The colour where the state names none, for a surface that has several. */
-async function colourOf({ scene, height, normals, albedo, mask, material, color }: State): Promise<string> {
+/** The colour where the state names none, for a surface that has several: maps beside one have the size that it is drawn at. */
+async function colourOf({ scene, height, normals, albedo, mask, material, color, ...state }: State): Promise<string> {
     if (color !== undefined)
         return color
-    const words = wordsOf({ scene, height, normals, albedo, mask, material, lights: [] }), surface = [filesVersion(), ...words].join('\0')
+    const { size, bevel, fit, filter } = albedo ?? mask ? state : {} as Partial<State>
+    const words = wordsOf({ scene, height, normals, albedo, mask, material, size, bevel, fit, filter, lights: [] }), surface = [filesVersion(), ...words].join('\0')
     if (surface !== colour.surface)
         colour = { surface, text: await ask('colour', words) }
     return colour.text

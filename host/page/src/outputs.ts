@@ -34,13 +34,14 @@ const look = (state: State) => wordsOf({ ...state, height: undefined, normals: u
     bevel: undefined, fit: undefined, scale: undefined, wrap: undefined, 'flip-y': undefined, size: undefined, path: undefined, mesh: undefined, crease: undefined, axes: undefined, split: undefined, texture: undefined, nearest: undefined, turn: undefined, zoom: undefined, perspective: undefined, 'no-outlines': undefined, filter: undefined })
 const tables = (state: State, kind: string) => ['glint table', `--kind=${kind}`, ...look({ ...state, lights: [] }), '-o', `${kind}_tables.c`]
 /** RGB565 colours go beside normals, not beside a palette's offsets. */
-const baked = (state: State, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], cutOut(state)), `--to=${to}`, '-o', name]
+const baked = ({ state, facts }: Pick<Drawn, 'state' | 'facts'>, to: string, name: string) => ['glint bake', ...only(to.startsWith('palette') || name.endsWith('.uf2') ? scene : [...scene, 'albedo'], cutOut(state)),
+    ...state.filter === undefined ? [] : [`-n${facts.n}`], `--to=${to}`, '-o', name] // what is filtered is for one shininess
 /** What has a background is drawn without what lies around it. */
 const cutOut = (state: State): State => state.background !== undefined && (state.scene ?? state.bevel) !== undefined ? { ...state, 'cut-out': '' } : state
 
 /** As the command writes them. */
-const run = (words: (state: State) => string[]) => async ({ state }: Drawn) => {
-    const line = words(state), { files, printed, warnings } = await ask('run', line)
+const run = (words: (drawn: Drawn) => string[]) => async (drawn: Drawn) => {
+    const line = words(drawn), { files, printed, warnings } = await ask('run', line)
     for (const { name, bytes } of files)
         save(name, bytes)
     const [first, ...rest] = line
@@ -101,7 +102,7 @@ const program = (kind: Kind) => async ({ state: now, facts }: Drawn) => {
     const { name, text, format = own => own } = programs[kind]
     const wanted = { ...now, format: format(now.format ?? 'rgb888'), color: now.color ?? (facts.has_albedo[0] ? facts.colour.join() : undefined), albedo: undefined }
     const { files: [material] } = await ask('run', ['glint material', ...look(wanted), '-o', 'material.h'])
-    const { files: normals } = await ask('run', baked(wanted, 'int8', 'normals.c'))
+    const { files: normals } = await ask('run', baked({ state: wanted, facts }, 'int8', 'normals.c'))
     const header = new TextDecoder().decode(normals.find(file => file.name.endsWith('.h'))!.bytes)
     const own = { 'picture.h': pictureHeader(now, { ...facts, albedo: wanted.color?.split(',').map(Number) ?? facts.albedo }, header, wanted.format), [name]: text(wanted.format) }
     save('picture.zip', zip([material, ...normals, ...Object.entries(own).map(([name, text]) => ({ name, bytes: new TextEncoder().encode(text) }))]
@@ -129,15 +130,15 @@ const groups: [string, { title: string, name: string, save: (drawn: Drawn) => Pr
         { title: 'Plain C', name: 'c', save: program('c'), of: 'map' },
     ]],
     ['Parts, as the command writes them', [
-        { title: 'Material, C', name: 'material', save: run(state => ['glint material', ...look(state), '-o', 'material.h']) },
-        { title: 'Tables, 20 KB', name: 'colour', save: run(state => tables(state, 'colour')) },
-        { title: 'Tables for colours', name: 'albedo', save: run(state => tables(state, 'albedo')) },
-        { title: 'Normals, 8 bits', name: 'int8', save: run(state => baked(state, 'int8', 'normals.c')), of: 'map' },
-        { title: 'Normals, 16 bits', name: 'int16', save: run(state => baked(state, 'int16', 'normals.c')), of: 'map' },
-        { title: 'Palette, C', name: 'palette', save: run(state => baked(state, 'palette', 'normals.c')), of: 'map' },
-        { title: 'Normals, raw', name: 'raw', save: run(state => baked(state, 'int8', 'normals.bin')), of: 'map' },
-        { title: 'Normals, UF2', name: 'uf2', save: run(state => baked(state, 'int8', 'normals.uf2')), of: 'map' },
-        { title: 'Mesh, C', name: 'mesh', save: run(state => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'texture', 'nearest', 'no-outlines'], state), '-o', 'mesh.c']), of: 'mesh' },
+        { title: 'Material, C', name: 'material', save: run(({ state }) => ['glint material', ...look(state), '-o', 'material.h']) },
+        { title: 'Tables, 20 KB', name: 'colour', save: run(({ state }) => tables(state, 'colour')) },
+        { title: 'Tables for colours', name: 'albedo', save: run(({ state }) => tables(state, 'albedo')) },
+        { title: 'Normals, 8 bits', name: 'int8', save: run(drawn => baked(drawn, 'int8', 'normals.c')), of: 'map' },
+        { title: 'Normals, 16 bits', name: 'int16', save: run(drawn => baked(drawn, 'int16', 'normals.c')), of: 'map' },
+        { title: 'Palette, C', name: 'palette', save: run(drawn => baked(drawn, 'palette', 'normals.c')), of: 'map' },
+        { title: 'Normals, raw', name: 'raw', save: run(drawn => baked(drawn, 'int8', 'normals.bin')), of: 'map' },
+        { title: 'Normals, UF2', name: 'uf2', save: run(drawn => baked(drawn, 'int8', 'normals.uf2')), of: 'map' },
+        { title: 'Mesh, C', name: 'mesh', save: run(({ state }) => ['glint bake', ...only(['scene', 'mesh', 'crease', 'axes', 'split', 'texture', 'nearest', 'no-outlines'], state), '-o', 'mesh.c']), of: 'mesh' },
     ]],
 ]
 

@@ -52,35 +52,38 @@ export function readPng(name: string, bytes: Uint8Array): Map16 {
         damaged(`it has ${width}x${height} pixels`)
     if (width > sideMax || height > sideMax || width * height > pixelsMax)
         throw new Error(`${name}: ${width}x${height} pixels; at most ${sideMax} a side and ${pixelsMax} in all are allowed`)
+    if (bytes[28] && bytes[24] < 8)
+        throw new Error(`${name}: an interlaced PNG with ${bytes[24]} bits a sample; save it without interlacing`)
     let png: DecodedPng
     try {
         png = decode(withoutBombs(bytes, 8 * (width + 1) * (height + 8)), { checkCrc: true })
     } catch (error) {
         return damaged((error as Error).message.replace(/(: undefined)?\W*$/, ''))
     }
-    if (bytes[28] && png.depth < 8)
-        throw new Error(`${name}: an interlaced PNG with ${png.depth} bits a sample; save it without interlacing`)
+    if (png.width !== width || png.height !== height) // by another chunk than the first
+        damaged('it says twice how large it is')
     try {
-        return widen(png)
+        return widen(png, bytes[25] === 3)
     } catch { // the decoder believes that there is a palette
         return damaged('its palette is not there, or too short')
     }
 }
 
-/** Without a colour profile, which the decoder would inflate, too; throws where more is behind the pixels than they can be. */
+/** Only what makes the samples: of the rest the decoder would inflate a profile. Throws where more is behind the pixels than they can be. */
 function withoutBombs(bytes: Uint8Array, most: number): Uint8Array {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length), kept: Uint8Array[] = [bytes.subarray(0, 8)]
     const inflater = new Unzlib(piece => { most -= piece.length }), step = 1 << 16
+    let isWhole = true
     for (let at = 8, length; at < bytes.length; at += 12 + length) {
         length = at + 8 <= bytes.length ? view.getUint32(at) : 0
         const kind = String.fromCharCode(...bytes.subarray(at + 4, at + 8)), end = at + 8 + length
-        if (kind !== 'iCCP')
+        if (/^[A-Z]|^tRNS$/.test(kind))
             kept.push(bytes.subarray(at, end + 4))
-        for (let from = at + 8; kind === 'IDAT' && from < Math.min(end, bytes.length); from += step) {
+        for (let from = at + 8; isWhole && kind === 'IDAT' && from < Math.min(end, bytes.length); from += step) {
             try {
                 inflater.push(bytes.subarray(from, Math.min(end, from + step)))
             } catch { // the decoder says so
-                return bytes
+                isWhole = false
             }
             if (most < -(1 << 20)) // a little more is no harm
                 throw new Error('there is more in it than its pixels')
@@ -89,11 +92,12 @@ function withoutBombs(bytes: Uint8Array, most: number): Uint8Array {
     return joined(kept)
 }
 
-function widen(png: DecodedPng): Map16 {
+/** Only indices look into the palette: true colours suggest one, for screens that have few. */
+function widen(png: DecodedPng, isIndexed: boolean): Map16 {
     const { width, height, depth } = png
-    if (png.palette) {
+    if (isIndexed) {
         const rgb = convertIndexedToRgb(png)
-        return { width, height, channels: png.palette[0].length, bits: depth, palette: true, samples: Uint16Array.from(rgb, v => 257 * v) }
+        return { width, height, channels: png.palette![0].length, bits: depth, palette: true, samples: Uint16Array.from(rgb, v => 257 * v) }
     }
     const values = depth < 8 ? unpack(png) : png.data
     const scale = 65535 / (2 ** depth - 1) // whole for each depth

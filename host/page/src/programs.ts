@@ -8,9 +8,10 @@ export type Kind = 'c' | 'arduino' | 'lvgl'
 /** picture.h: draws lines of the picture. `normals` is the header that glint bake wrote, `format` the pixels' in C. */
 export function pictureHeader(state: State, facts: Facts, normals: string, format: string): string {
     const has = (map: string) => normals.includes(`normals_${map}[`)
-    const maps = ['coverage', 'shininess', 'gloss', 'grain'].filter(has).map(map => `    maps.${map} = normals_${map} + (size_t)y * NORMALS_WIDTH;\n    maps.${map}_stride = NORMALS_WIDTH;\n`)
-    const isGrained = facts.across[0] !== facts.n[0] || has('shininess')
-    const grain = facts.across[0] !== facts.n[0] && !has('grain')
+    const isBrushed = facts.across[0] !== facts.n[0] // else a map of grain changes nothing, and beside one of shininess is refused
+    const maps = ['coverage', 'shininess', 'gloss', ...isBrushed ? ['grain'] : []].filter(has).map(map => `    maps.${map} = normals_${map} + (size_t)y * NORMALS_WIDTH;\n    maps.${map}_stride = NORMALS_WIDTH;\n`)
+    const isGrained = isBrushed || has('shininess')
+    const grain = isBrushed && !has('grain')
         ? `    maps.grain_kind = GLINT_GRAIN_${['BRUSHED', 'SPUN', 'SUNRAY'][facts.grain[0]]};\n    maps.grain_at[0] = ${facts.grain_at[0]};\n    maps.grain_at[1] = ${facts.grain_at[1]};\n` : ''
     const group = state.space === 'linear' ? 'linear' : /565/.test(format) ? 'rgb565' : /888/.test(format) ? 'rgb888' : 'grey'
     return `/* Lines of the picture, ${facts.albedo.join(', ')} its one colour. Wants glint (its folder lib, or glint.c and glint.h). */
