@@ -7,7 +7,7 @@ import { load, RAM } from '../bench/m0plus.mjs'
 const [packages, elf] = process.argv.slice(2)
 const { core, memory, symbols, enter } = load(packages, elf)
 const names = new Map() // of the library's functions, by where they begin
-const routines = new Set(['glint_mesh_outlined']) // in assembly, for assembly: they keep no register
+const routines = new Set(['glint_mesh_outlined', 'glint_mesh_hide_face']) // in assembly, for assembly: they keep no register
 for (const [name, at] of symbols) if (name.startsWith('glint_') && !routines.has(name)) names.set(at & ~1, name)
 const begins = new Uint8Array(memory.length / 2)
 for (const at of names.keys()) begins[(at - RAM) >> 1] = 1
