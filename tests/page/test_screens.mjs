@@ -160,9 +160,7 @@ run([
             }).map(({ id }) => id).join()), '', `out of reach at ${width}`)
         }
     }],
-    ['in the user\'s own colours what is switched on, pressed or chosen looks other than what is not', async () => {
-        if (isFirefox) // which cannot be told so by puppeteer
-            return
+    ...isFirefox ? [] : [['in the user\'s own colours what is switched on, pressed or chosen looks other than what is not', async () => {
         const session = await page.createCDPSession(), forced = value => session.send('Emulation.setEmulatedMedia', { features: [{ name: 'forced-colors', value }] })
         await browser.resize(800, 600)
         await browser.go(start)
@@ -179,7 +177,7 @@ run([
         await looks('#tab-scene', of => document.querySelector(of).setAttribute('aria-selected', 'true'))
         await forced('none')
         await session.detach()
-    }],
+    }]], // puppeteer cannot tell Firefox so
     ['an address with ?embed shows the stage alone', async () => {
         await page.goto('about:blank')
         await page.goto(`${browser.url}?embed#${start}`)
