@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * A Cortex-A15 of QEMU's `virt`, whose data lie in memory as the image says. The compiler has no library for the order of big-endian data. */
-#include <stddef.h>
-#include <stdint.h>
-
 #include "machine.h"
+#include "run.h"
+
+#include <stdint.h>
 
 enum { UART = 0x09000000, POWER_OFF = (int)0x84000008 };
 
@@ -20,39 +20,13 @@ void machine_end(bool well)
         __asm__ volatile(".arch_extension virt\n hvc #0" : "+r"(call));
 }
 
-static uint8_t stack[65536] __attribute__((aligned(8)));
-uint8_t *const stack_end = stack + sizeof stack;
-
-void start(void);
-void start(void)
-{
-    machine_end(machine_run(stack));
-}
-
 void _start(void);
 __attribute__((naked, section(".start"))) void _start(void)
 {
-    __asm__("ldr r0, =stack_end\n ldr sp, [r0]\n b start\n .ltorg");
+    __asm__("ldr sp, =stack_top\n b bare_run\n .ltorg");
 }
 
-/* ---- what compilers call by themselves ---- */
-
-void *memset(void *to, int value, size_t count);
-void *memset(void *to, int value, size_t count)
-{
-    for (volatile uint8_t *at = to; count--; at++)
-        *at = (uint8_t)value;
-    return to;
-}
-
-void *memcpy(void *to, const void *from, size_t count);
-void *memcpy(void *to, const void *from, size_t count)
-{
-    const uint8_t *source = from;
-    for (volatile uint8_t *at = to; count--; at++, source++)
-        *at = *source;
-    return to;
-}
+/* ---- divisions, which compilers call ---- */
 
 struct division {
     uint64_t quotient, rest;
