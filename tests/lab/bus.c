@@ -35,6 +35,22 @@ size_t decode_spi(const struct capture *capture, bus_byte *bytes, size_t room)
     return count;
 }
 
+bool clock_at_rest(const struct capture *capture)
+{
+    const unsigned sck = chip_line(capture->chip, "SCK"), cs = chip_line(capture->chip, "CS");
+    bool high[LAB_LINES_MAX];
+    capture_levels(capture, high);
+    unsigned rests[2] = {0}; /* low, high */
+    for (size_t i = 0; i < capture->count; i++) {
+        const unsigned line = capture->sets[i] & CAPTURE_LINE;
+        const bool before = high[line];
+        high[line] = capture->sets[i] & CAPTURE_HIGH;
+        rests[high[sck]] += line == cs && before != high[cs];
+    }
+    assert_true((rests[0] == 0) != (rests[1] == 0));
+    return rests[1];
+}
+
 size_t decode_i80(const struct capture *capture, bus_byte *bytes, size_t room)
 {
     static const char *const DATA[8] = {"D0", "D1", "D2", "D3", "D4", "D5", "D6", "D7"};

@@ -86,14 +86,17 @@ char *sigrok(const struct capture *capture, const char *clock, size_t *size, con
 typedef uint16_t bus_byte;
 enum { BUS_DATA = 0x100 };
 
-/* SPI mode 0, most significant bit first, of the lines SCK MOSI CS DC. Fails where chip select ends within a byte or D/C
+/* SPI mode 0 or 3, most significant bit first, of the lines SCK MOSI CS DC. Fails where chip select ends within a byte or D/C
  * changes in one. Returns the number of bytes: at most room. */
 size_t decode_spi(const struct capture *capture, bus_byte *bytes, size_t room);
+/* Where SCK is whenever CS changes. Fails where CS never does, and where SCK is not always the same. */
+bool clock_at_rest(const struct capture *capture);
 /* 8080: the lines D0..D7 at the rising edge of WR while CS is low. */
 size_t decode_i80(const struct capture *capture, bus_byte *bytes, size_t room);
 
 /* sigrok's decoders find these bytes, in lines of the same names. */
 void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count);
+void sigrok_agrees_on_spi_mode_3(const struct capture *capture, const bus_byte *bytes, size_t count);
 void sigrok_agrees_on_i80(const struct capture *capture, const bus_byte *bytes, size_t count);
 
 /* A MIPI-DCS display as its commands leave it. The picture is as addressed: MADCTL is noted only. */

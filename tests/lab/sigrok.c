@@ -20,15 +20,25 @@ char *sigrok(const struct capture *capture, const char *clock, size_t *size, con
                           path, arguments);
 }
 
-void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count)
+static void agrees(const struct capture *capture, const bus_byte *bytes, size_t count, const char *decoder)
 {
     size_t size;
-    char *found = sigrok(capture, "SCK", &size, "-P spi:clk=SCK:mosi=MOSI:cs=CS -B spi=mosi");
+    char *found = sigrok(capture, "SCK", &size, decoder);
     assert_int_equal(size, count);
     for (size_t i = 0; i < count; i++)
         if ((uint8_t)found[i] != (bytes[i] & 0xff))
             fail_msg("byte %zu is not %02x but %02x", i, bytes[i] & 0xff, (uint8_t)found[i]);
     free(found);
+}
+
+void sigrok_agrees_on_spi(const struct capture *capture, const bus_byte *bytes, size_t count)
+{
+    agrees(capture, bytes, count, "-P spi:clk=SCK:mosi=MOSI:cs=CS -B spi=mosi");
+}
+
+void sigrok_agrees_on_spi_mode_3(const struct capture *capture, const bus_byte *bytes, size_t count)
+{
+    agrees(capture, bytes, count, "-P spi:clk=SCK:mosi=MOSI:cs=CS:cpol=1:cpha=1 -B spi=mosi");
 }
 
 void sigrok_agrees_on_i80(const struct capture *capture, const bus_byte *bytes, size_t count)

@@ -119,6 +119,20 @@ static void an_st7789_on_bit_banged_spi_shows_what_was_rendered(void **state)
     the_panel_shows_two_frames(&SPI, "--panel st7789", 160, 128);
 }
 
+static void the_clock_rests_low_in_mode_0_and_high_in_mode_3(void **state)
+{
+    (void)state;
+    for (unsigned mode = 0; mode <= 3; mode += 3) {
+        struct stream stream;
+        stream_frames(&stream, &SPI, mode ? "--panel st7789 --spi-mode 3" : "--panel st7789", 40, 30, 1);
+        assert_true(clock_at_rest(&stream.capture) == (mode == 3));
+        if (mode == 3)
+            sigrok_agrees_on_spi_mode_3(&stream.capture, stream.bytes, stream.count);
+        assert_int_equal(frame_bytes(stream.bytes, stream.count, 40 * 30) > 2 * 40 * 30, 1);
+        forget(&stream);
+    }
+}
+
 static void an_ili9341_on_the_8080_bus_shows_what_was_rendered(void **state)
 {
     (void)state;
@@ -149,6 +163,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(an_st7789_on_bit_banged_spi_shows_what_was_rendered, lab_clean),
+        cmocka_unit_test_teardown(the_clock_rests_low_in_mode_0_and_high_in_mode_3, lab_clean),
         cmocka_unit_test_teardown(an_ili9341_on_the_8080_bus_shows_what_was_rendered, lab_clean),
         cmocka_unit_test_teardown(sigrok_reads_the_panels_commands_in_order, lab_clean),
     };

@@ -52,9 +52,8 @@ static void what_spidev_is_given_is_on_the_lines(void **state)
 }
 
 /* The environment variable GLINT is the command. */
-static void a_panel_on_spidev_gets_the_frame_that_was_drawn(void **state)
+static void gets_the_frame_that_was_drawn(const char *options, bool rests_high)
 {
-    (void)state;
     enum { WIDTH = 64, HEIGHT = 48, ROOM = 1 << 16 };
     struct chip chip;
     struct capture capture;
@@ -62,10 +61,11 @@ static void a_panel_on_spidev_gets_the_frame_that_was_drawn(void **state)
     bus_byte *found = calloc(ROOM, sizeof *found);
     chip_find(&chip, "lab-spi", SPI_NAMES, SPI_LINES);
     capture_start(&capture, &chip, 60);
-    assert_int_equal(
-        run("$GLINT stream coin --frames 1 --size %dx%d --offset 0,0 --to spi --lines dc=DC,reset=RST", WIDTH, HEIGHT),
-        0);
+    assert_int_equal(run("$GLINT stream coin --frames 1 --size %dx%d --offset 0,0 --to spi --lines dc=DC,reset=RST %s",
+                         WIDTH, HEIGHT, options),
+                     0);
     capture_stop(&capture);
+    assert_true(clock_at_rest(&capture) == rests_high);
     const size_t count = decode_spi(&capture, found, ROOM);
     screen_init(&screen, WIDTH, HEIGHT);
     screen_show(&screen, found, count);
@@ -80,6 +80,18 @@ static void a_panel_on_spidev_gets_the_frame_that_was_drawn(void **state)
     free(found);
     screen_free(&screen);
     capture_free(&capture);
+}
+
+static void a_panel_on_spidev_gets_the_frame_that_was_drawn(void **state)
+{
+    (void)state;
+    gets_the_frame_that_was_drawn("", false);
+}
+
+static void a_panel_on_spidev_gets_it_in_mode_3_by_a_clock_that_rests_high(void **state)
+{
+    (void)state;
+    gets_the_frame_that_was_drawn("--spi-mode 3", true);
 }
 
 #define DRIVER "/sys/bus/spi/drivers/spidev/"
@@ -105,6 +117,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_teardown(what_spidev_is_given_is_on_the_lines, lab_clean),
         cmocka_unit_test_teardown(a_panel_on_spidev_gets_the_frame_that_was_drawn, lab_clean),
+        cmocka_unit_test_teardown(a_panel_on_spidev_gets_it_in_mode_3_by_a_clock_that_rests_high, lab_clean),
         cmocka_unit_test_teardown(a_device_that_is_taken_away_ends_the_stream_with_one_line, lab_clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -37,7 +37,8 @@ static bool set(struct gpio_bus *bus)
 
 /* ---- bytes ---- */
 
-/* Mode 0: data change while the clock falls, and are taken when it rises. Two calls a bit; D/C comes with the first. */
+/* Data change while the clock falls, and are taken when it rises, whether it rests low or high. Two calls a bit; D/C comes with
+ * the first. */
 static bool write_spi(struct gpio_bus *bus, const uint8_t *bytes, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
@@ -93,7 +94,7 @@ static bool write_spidev(struct gpio_bus *bus, const uint8_t *bytes, size_t coun
 /* Between bytes, where there is a chip select: it ends what came before. */
 static bool deselect(struct gpio_bus *bus)
 {
-    change(bus, ROLE_SCK, false);
+    change(bus, ROLE_SCK, bus->options->clock_rests_high);
     if (!set(bus))
         return false;
     change(bus, ROLE_CS, true);
@@ -108,6 +109,9 @@ static bool on_command(void *context, uint8_t command)
         return false;
     change(bus, ROLE_CS, false);
     change(bus, ROLE_DC, false);
+    /* Else the clock would fall before the chip is selected. */
+    if (bus->options->clock_rests_high && bus->bits[ROLE_CS] && !set(bus))
+        return false;
     return bus->write(bus, &command, 1);
 }
 
@@ -167,7 +171,7 @@ struct gpio_bus *gpio_bus_open(const struct gpio_options *options)
         if (!options->lines[i].text)
             continue;
         bus->bits[i] = (uint32_t)1 << count;
-        const bool high = high_at_first >> i & 1;
+        const bool high = i == ROLE_SCK ? options->clock_rests_high : high_at_first >> i & 1;
         bus->levels |= high ? bus->bits[i] : 0;
         wishes[count++] = (struct gpio_line_wish){.origin = options->lines[i].origin,
                                                   .role = gpio_role_names[i],
@@ -176,7 +180,7 @@ struct gpio_bus *gpio_bus_open(const struct gpio_options *options)
                                                   .busy = busy_roles >> i & 1};
     }
     if (options->kind == GPIO_BUS_SPIDEV)
-        bus->spidev = spidev_open(options->spidev, options->spi_hz, &bus->chunk);
+        bus->spidev = spidev_open(options->spidev, options->spi_hz, options->clock_rests_high, &bus->chunk);
     bus->lines = gpio_lines_open(options->chip, wishes, count);
     bus->name = options->kind == GPIO_BUS_SPIDEV ? options->spidev : gpio_lines_chip(bus->lines, 0);
     return bus;

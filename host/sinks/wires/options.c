@@ -13,7 +13,7 @@
 #include "base/parse.h"
 #include "sinks/panel/options.h"
 
-enum key { KEY_BUS = 256, KEY_CHIP, KEY_SPIDEV, KEY_SPI_HZ, KEY_LINES, KEY_BUS_CONFIG };
+enum key { KEY_BUS = 256, KEY_CHIP, KEY_SPIDEV, KEY_SPI_HZ, KEY_SPI_MODE, KEY_LINES, KEY_BUS_CONFIG };
 enum { TEXTS = KEY_LINES - KEY_BUS };
 
 #define GROUP 50
@@ -25,12 +25,14 @@ static const struct argp_option options[] = {
      "d0 ... d7, wr, dc, and if wired cs, rd, reset, backlight. --to spi: dc, and if wired reset, backlight",
      GROUP},
     {"chip", KEY_CHIP, "CHIP", 0, "The chip of lines that name none; then a LINE may be an OFFSET", GROUP},
+    {"spi-mode", KEY_SPI_MODE, "N", 0,
+     "SPI with a clock that rests low (0, the default) or high (3, for ST7789 modules without CS)", GROUP},
     {"bus-config", KEY_BUS_CONFIG, "FILE", 0,
      "Reads all of this and the panel's options from a file; the command line overrides it", GROUP},
     {0}};
 
 static const struct argp_option line_options[] = {
-    {"bus", KEY_BUS, "KIND", 0, "--to gpio: spi (default: 4-wire, mode 0) or 8080 (8 bits)", GROUP}, {0}};
+    {"bus", KEY_BUS, "KIND", 0, "--to gpio: spi (default: 4-wire) or 8080 (8 bits)", GROUP}, {0}};
 
 static const struct argp_option spidev_options[] = {
     {"spidev", KEY_SPIDEV, "DEVICE", 0, "--to spi: the kernel's SPI device (default /dev/spidev0.0)", GROUP},
@@ -41,6 +43,8 @@ static const struct argp_option spidev_options[] = {
     {0}};
 
 static const char *const bus_names[] = {"spi", "8080", NULL};
+static const char *const mode_names[] = {"0", "3",
+                                         NULL}; /* panels take bits as the clock rises, which the others do not */
 
 /* ---- roles ---- */
 
@@ -138,6 +142,8 @@ static void say(const struct argp_state *state, struct said *said, const char *o
 {
     if (key == KEY_BUS)
         parse_choice(state, origin, "bus", text, bus_names);
+    else if (key == KEY_SPI_MODE)
+        parse_choice(state, origin, "mode", text, mode_names);
     else if (key == KEY_SPI_HZ)
         parse_integer(state, origin, text, 1000, 200000000);
     else if (!*text)
@@ -183,7 +189,7 @@ static char *read_line(char *text, int room, void *context)
 }
 
 /* First those that are said here, by key; then the panel's. */
-static const char *const setting_names[] = {"bus",  "chip",     "spidev", "spi-hz", "panel",
+static const char *const setting_names[] = {"bus",  "chip",     "spidev", "spi-hz", "spi-mode", "panel",
                                             "size", "rotation", "offset", "bgr",    "invert"};
 enum { SETTINGS = sizeof setting_names / sizeof *setting_names };
 
@@ -200,7 +206,8 @@ static int take(void *context, const char *section, const char *name, const char
     while (i < SETTINGS && strcmp(name, setting_names[i]) != 0)
         i++;
     if (i == SETTINGS)
-        fail("%s: unknown setting '%s'; choose from bus, chip, spidev, spi-hz, panel, size, rotation, offset, bgr, "
+        fail("%s: unknown setting '%s'; choose from bus, chip, spidev, spi-hz, spi-mode, panel, size, rotation, "
+             "offset, bgr, "
              "invert; [lines] begins the lines",
              reader->origin, name);
     if (reader->seen >> i & 1)
@@ -292,6 +299,9 @@ const struct gpio_options *gpio_options_ready(bool spidev)
     ready.chip = text_of(KEY_CHIP, NULL);
     ready.spidev = text_of(KEY_SPIDEV, "/dev/spidev0.0");
     ready.spi_hz = (uint32_t)strtoul(text_of(KEY_SPI_HZ, "16000000"), NULL, 10);
+    ready.clock_rests_high = strcmp(text_of(KEY_SPI_MODE, "0"), "3") == 0;
+    if (ready.clock_rests_high && ready.kind == GPIO_BUS_8080)
+        fail("--spi-mode: is for SPI; leave it out for --bus 8080");
     for (unsigned i = 0; i < ROLES; i++) {
         const bool user = by_user.lines[i].text != NULL;
         ready.lines[i].text = user ? by_user.lines[i].text : by_file.lines[i].text;

@@ -37,6 +37,7 @@ struct gpio_options {
     } lines[ROLES];
     const char *spidev;
     uint32_t spi_hz;
+    bool clock_rests_high; /* SPI in mode 3, else 0 */
 };
 
 /* What both sinks take, what only sink gpio does, and what only sink spi does. */

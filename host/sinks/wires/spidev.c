@@ -40,7 +40,7 @@ static size_t largest_write(void)
     return bytes ? bytes : USUAL_CHUNK;
 }
 
-int spidev_open(const char *path, uint32_t hz, size_t *chunk)
+int spidev_open(const char *path, uint32_t hz, bool rests_high, size_t *chunk)
 {
     const int descriptor = open(path, O_RDWR | O_CLOEXEC);
     if (descriptor < 0 && errno == ENOENT)
@@ -49,11 +49,11 @@ int spidev_open(const char *path, uint32_t hz, size_t *chunk)
         fail("--spidev: %s: %s", path, device_permission(path));
     if (descriptor < 0)
         fail("--spidev: %s: %s", path, strerror(errno));
-    const uint8_t mode = SPI_MODE_0, bits = 8;
+    const uint8_t mode = rests_high ? SPI_MODE_3 : SPI_MODE_0, bits = 8;
     if (ioctl(descriptor, SPI_IOC_WR_MODE, &mode) != 0 || ioctl(descriptor, SPI_IOC_WR_BITS_PER_WORD, &bits) != 0) {
         if (errno == ENOTTY)
             fail("--spidev: %s: is not an SPI device; their names are /dev/spidevB.C", path);
-        fail("--spidev: %s: cannot do mode 0 with 8 bits: %s", path, strerror(errno));
+        fail("--spidev: %s: cannot do mode %u with 8 bits: %s", path, mode, strerror(errno));
     }
     if (ioctl(descriptor, SPI_IOC_WR_MAX_SPEED_HZ, &hz) != 0)
         fail("--spi-hz: %s: cannot do %u: %s", path, hz, strerror(errno));

@@ -55,6 +55,9 @@ static void values_that_cannot_be_are_refused_with_those_that_can(void **state)
     assert_refused("$GLINT stream coin --panel st7735", "--panel: unknown panel 'st7735'; choose from st7789, ili9341");
     assert_refused("$GLINT stream coin --rotation 1", "--rotation: unknown rotation '1'; choose from 0, 90, 180, 270");
     assert_refused("$GLINT stream coin --bgr=maybe", "--bgr: unknown answer 'maybe'; choose from no, yes");
+    assert_refused("$GLINT stream coin --spi-mode 1", "--spi-mode: unknown mode '1'; choose from 0, 3");
+    assert_fails("$GLINT stream coin --to gpio --bus 8080 --spi-mode 3",
+                 "--spi-mode: is for SPI; leave it out for --bus 8080");
     assert_refused("$GLINT stream coin --to spi --spi-hz 16M",
                    "--spi-hz: '16M' is not a whole number from 1000 to 200000000");
     static const char *const offsets[] = {"1", "1,", "1,2,3", "-1,2", "' 1,2'", "1x2", "321,0", "99999999999,0", "''"};
