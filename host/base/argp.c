@@ -117,7 +117,8 @@ static void check_letters(const struct argp_state *state, const struct option_li
     for (const char *at = word + 1; *at; at++) {
         const struct argp_option *found = find_letter(list, *at);
         if (!found)
-            refuse(state, "unknown option '-%c'", *at);
+            refuse(state, "unknown option '-%c'%s", *at,
+                   strchr("0123456789.", *at) ? " (negative numbers come after the word --)" : "");
         if (needs_value(found) && !at[1] && last)
             refuse(state, "option '-%c' needs a value: %s", *at, found->arg);
         if (found->arg)

@@ -64,6 +64,7 @@ static void an_unknown_option_comes_with_the_closest(void **state)
                    "glint render: unknown option '--formt' (did you mean '--format'?); see");
     assert_refused("$GLINT render --formt=rgb565", "unknown option '--formt' (did you mean '--format'?); see");
     assert_refused("$GLINT eval -n 60 -Z 1", "glint eval: unknown option '-Z'; see");
+    assert_refused("$GLINT eval -.5", "glint eval: unknown option '-.' (negative numbers come after the word --); see");
     assert_refused("$GLINT eval -n 60 1 --model", "glint eval: option '--model' needs a value: NAME; see");
     assert_refused("$GLINT stream coin --light-from", "glint stream: option '--light-from' needs a value: FILE; see");
     assert_refused("$GLINT list usb extra", "unexpected argument 'usb'");
