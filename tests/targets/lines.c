@@ -16,7 +16,7 @@ enum { GRAIN_NONE, GRAIN_BRUSHED, GRAIN_SPUN, GRAIN_SUNRAY, GRAIN_MAP, GRAIN_SHI
 #define LINES_SPANS (GLINT_CORTEX_M0PLUS_ASM || GLINT_HELIUM) /* and exact spans? */
 /* By the DSP extension without an albedo map and a clamped peak alone: fewer cases have one. More cases, as QEMU is quick. */
 #ifndef LINES_CASES
-#define LINES_CASES (GLINT_DSP || GLINT_HELIUM || GLINT_RISCV ? 40000 : 3000)
+#define LINES_CASES (GLINT_DSP || GLINT_HELIUM || GLINT_RISCV ? 20000 : 1500)
 #endif
 enum {
     CASES = LINES_CASES,

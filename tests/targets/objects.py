@@ -185,6 +185,9 @@ class Sources:
         return None
 
 
+SOURCES = Sources(LIBRARY)  # of all objects: what is read of them holds for every core
+
+
 def clone_name(label):
     """What gcc calls a function in its list of frames: of a clone its kind too, not its number. Assemblers without dots have $ in their place."""
     return re.sub(r"\.\d+$", "", label.replace("$", "."))
@@ -196,7 +199,7 @@ class Calls:
     parameters fit."""
 
     def __init__(self, target, objects):
-        self.sources = Sources(LIBRARY)
+        self.sources = SOURCES
         self.target, self.frames, self.edges, self.indirect = target, {}, {}, set()
         self.taken, self.trouble, self.memory = set(), set(), {}
         for path in objects:
