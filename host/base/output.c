@@ -192,6 +192,13 @@ static int open_beside(struct output *output)
     return descriptor;
 }
 
+/* Under whatever name, as /dev/stdout: another file in its place would lose what >> kept and what others write there. */
+static bool is_standard_output(const struct stat *status)
+{
+    struct stat standard;
+    return fstat(STDOUT_FILENO, &standard) == 0 && same_status(status, &standard);
+}
+
 struct output *output_open(const char *path)
 {
     struct output *output = calloc(1, sizeof *output);
@@ -207,6 +214,10 @@ struct output *output_open(const char *path)
         fail("%s: this is a folder; name a file", path);
     if (exists)
         refuse_input(path, &status);
+    if (exists && S_ISREG(status.st_mode) && is_standard_output(&status)) {
+        output->stream = stdout;
+        return output;
+    }
     if (exists && !S_ISREG(status.st_mode)) {
         if (stream_stopped()) /* by a signal that came before, which ends no waiting */
             exit(stop_status());

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * Output files. A regular file is written beside its name and renamed when it is whole; "-" is standard output; pipes and
- * devices are written in place. If a step fails, the program ends through fail() and leaves no partial file. */
+ * Output files. A regular file is written beside its name and renamed when it is whole; "-" is standard output, and so is
+ * any name of the file that it goes to; pipes and devices are written in place. If a step fails, the program ends through
+ * fail() and leaves no partial file. */
 #ifndef GLINT_BASE_OUTPUT_H
 #define GLINT_BASE_OUTPUT_H
 

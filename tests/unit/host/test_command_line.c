@@ -327,6 +327,20 @@ static void pipes_and_devices_are_written_in_place(void **state)
                      0);
 }
 
+/* Whatever name of standard output is given, a file that it goes to keeps what is before and after. */
+static void a_file_behind_standard_output_is_written_where_it_stands(void **state)
+{
+    (void)state;
+    assert_int_equal(run(EVAL " >alone; (echo before; cat alone; echo after) >wanted")->status, 0);
+    assert_int_equal(run("ln -s /dev/stdout out; for i in /dev/stdout /dev/fd/1 out; do echo before >found; " EVAL
+                         " -o $i >>found && echo after >>found && cmp found wanted >&2 || exit; done")
+                         ->status,
+                     0);
+    assert_int_equal(run("(echo before; " EVAL " -o /dev/stdout; echo after) >found && cmp found wanted >&2")->status,
+                     0);
+    assert_int_equal(run("ls -A | grep -q glint-")->status, 1);
+}
+
 static void a_name_of_the_longest_length_can_be_written(void **state)
 {
     (void)state;
@@ -379,6 +393,7 @@ int main(void)
         cmocka_unit_test(a_new_file_has_the_mode_of_the_umask),
         cmocka_unit_test(a_symbolic_link_stays_one),
         cmocka_unit_test(pipes_and_devices_are_written_in_place),
+        cmocka_unit_test(a_file_behind_standard_output_is_written_where_it_stands),
         cmocka_unit_test(a_name_of_the_longest_length_can_be_written),
         cmocka_unit_test(an_output_that_cannot_be_is_named),
     };
