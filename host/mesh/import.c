@@ -5,9 +5,11 @@
 #include "base/message.h"
 
 #if GLINT_WITH_MESH
+#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "glint.h"
 
@@ -159,8 +161,20 @@ static void run_child(const void *source, int out)
     import_child(source, out);
 }
 
+/* In the child a folder that is not there would only allow nothing. */
+static void check_allowed(const char *folder)
+{
+    struct stat status;
+    if (stat(folder, &status) != 0)
+        fail("--allow-files: %s: %s", folder, strerror(errno));
+    if (!S_ISDIR(status.st_mode))
+        fail("--allow-files: %s: this is a file; name a folder", folder);
+}
+
 struct soup *import_soup(const char *path, bool textures, const char *allowed)
 {
+    if (allowed)
+        check_allowed(allowed);
     struct import_source *source = import_source_open(path);
     source->textures = textures;
     source->allowed = allowed;

@@ -525,6 +525,9 @@ static void a_mesh_names_files_in_its_folder_or_below_only(void **state)
     assert_contains(result->err, "red.mtl, which is left out: it is a file, and the mesh comes from standard input");
     assert_same_file("a.ppm", "plain.ppm");
     assert_refused("$GLINT render --mesh - --allow-files in -o a.ppm <in/red.obj", "--allow-files needs --mesh");
+    assert_fails("$GLINT render --mesh in/red.obj --allow-files nothing -o a.ppm",
+                 "--allow-files: nothing: No such file");
+    assert_fails("$GLINT render --mesh in/red.obj --allow-files in/red.mtl -o a.ppm", "this is a file; name a folder");
     /* What is no MTL is nobody's business. */
     write_text("in/red.mtl", "secret: red\nKd\nnewmtl\nillum secret\nKd secret\n");
     assert_null(strstr(run("$GLINT render --mesh in/red.obj --size 20x20 -o a.ppm")->err, "secret"));
