@@ -6,7 +6,7 @@ GATEWARE_TEST_PACKAGES = gcc g++ libc6-dev make libpng-dev verilator iverilog z3
 GATEWARE_CHECK = verilator:verilator
 GATEWARE_TESTS = $(patsubst tests/gateware/test_%.cpp,$(BUILD)/tests/gateware/test_%,$(wildcard tests/gateware/test_*.cpp))
 # The longest first.
-GATEWARE_LONG = $(addprefix tests/gateware/test_,faults handshake span_faults flat netlist)
+GATEWARE_LONG = $(addprefix tests/gateware/test_,faults handshake span_faults flat netlist netlist_xilinx)
 GATEWARE_SCRIPTS = $(filter-out %.cpp %.v,$(wildcard tests/gateware/test_*))
 # Their parameters, and what one is linked with.
 GATEWARE_PARAMETERS_core = -GUSER=16
