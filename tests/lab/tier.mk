@@ -68,7 +68,7 @@ test-lab: ## check: under a Linux kernel as a process: GPIO lines captured and d
 
 usb-programs: $(LAB_USB_TESTS) $(BUILD)/glint firmware-linux $(LAB_GUEST_FILES)
 
-lab-programs: usb-programs $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,bitbang1 bitbang2) $(LAB_FUZZERS) $(LAB_SEEDS) $(linux)/faulty-gadget
+lab-programs: usb-programs $(LAB_TESTS) $(addprefix $(BUILD)/tests/lab/,bitbang1 bitbang2) $(if $(LAB_FUZZ),$(LAB_FUZZERS) $(LAB_SEEDS)) $(linux)/faulty-gadget
 
 # The command with libgpiod 2.
 glint-gpiod2:
@@ -77,11 +77,12 @@ glint-gpiod2:
 # What takes longest goes first: of what is built the kernel, of what runs the programs that compute. The others mostly
 # wait for USB: two more run than there are processors.
 LAB_JOBS = $$(($$(nproc) + 2))
+LAB_FUZZ = tests/lab/test_fuzz
 run-lab: $(BUILD)/tests/lab/spi.dtb $(BUILD)/glint glint-gpiod2 lab-programs
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$(LAB_JOBS) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
 		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
-			$(BUILD)/tests/lab/test_gpio_stream") tests/lab/test_fuzz \
+			$(BUILD)/tests/lab/test_gpio_stream") $(LAB_FUZZ) \
 		"env GADGET=$(LAB_GADGET) FAULTY=$(LAB_FAULTY_GADGET) tests/lab/guest --time inf $(BUILD)/tests/lab/test_gud_drm" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang1 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \
 		"env BITBANG=$(CURDIR)/$(BUILD)/tests/lab/bitbang2 tests/lab/guest $(BUILD)/tests/lab/test_gpio" \

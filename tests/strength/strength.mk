@@ -42,14 +42,14 @@ coverage: setup-strength build/ends.o ## check: which lines and branches of lib/
 	@tests/strength/covered build/coverage
 
 # With slow tests, and what the lab's and the Pico's tests run of the command; one test at a time there, since counters that several kernels
-# write would be lost. The Pico's images are built first: they are not counted.
+# write would be lost. The Pico's images are built first: they are not counted. Nor are the fuzzers, which are clang's and count otherwise.
 coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## check: the same with slow tests, and the lab's and the Pico's (30 minutes)
 	@+$(SUBMAKE) -s pico-images
-	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs lab-programs $(STRENGTH_EXACT:%=build/coverage/%)
+	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_FUZZ= all unit-programs lab-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
 	@+for goal in "TEST=test_ run-unit" run-lab "TEST=test_[ep][no][ds]* run-pico"; do \
-		$(STRENGTH_ERRORS) $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 \
+		$(STRENGTH_ERRORS) $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 LAB_FUZZ= \
 		$(STRENGTH_ENV) $$goal || \
 		echo "coverage: what failed in this build was counted as far as it went"; done
 	@tests/strength/covered build/coverage
