@@ -36,6 +36,9 @@ $(GATEWARE)/%.bin: $(GATEWARE)/%.asc
 gateware-report: setup-gateware-tools ## measure: what the gateware takes on iCE40 parts, into firmware/gateware/README.md
 	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
 
+gateware-parts: setup-gateware-tools ## measure: what it takes on ECP5, Xilinx and Gowin parts, into the same file (five minutes)
+	@firmware/gateware/parts -r firmware/gateware/README.md -w $(GATEWARE)/parts
+
 # The demo's tables, of the library's values; a test tells when those in the tree are not what this program writes.
 $(GATEWARE_TABLES): firmware/gateware/demo/tables.c $(BUILD)/firmware/core/orbit.o $(BUILD)/libglint.a
 	@mkdir -p $(@D)
@@ -50,4 +53,4 @@ gateware-registers:
 	@cd firmware/gateware && registers/generate verilog >rtl/glint_registers.v && \
 		registers/generate header >registers/glint_span_unit.h && registers/generate table >registers/README.md
 
-.PHONY: gateware gateware-report gateware-registers setup-gateware-tools gateware-tables
+.PHONY: gateware gateware-parts gateware-report gateware-registers setup-gateware-tools gateware-tables
