@@ -117,10 +117,8 @@ bool output_same(const char *a, const char *b)
     const bool a_exists = stat(a, &of_a) == 0, b_exists = stat(b, &of_b) == 0;
     if (a_exists || b_exists)
         return a_exists && b_exists && same_status(&of_a, &of_b);
-    char *target_a = resolve(a), *target_b = resolve(b);
-    bool same = false;
-    if (target_a && target_b)
-        same = same_place(target_a, target_b);
+    char *target_a = resolve(a), *target_b = target_a ? resolve(b) : NULL;
+    const bool same = target_b && same_place(target_a, target_b);
     free(target_a);
     free(target_b);
     return same;
