@@ -22,6 +22,8 @@ LAB_GADGET_GUEST = env GADGET=$(LAB_GADGET) tests/lab/guest --time inf
 LAB_LIBGPIOD2 = PKG_CONFIG_PATH="$$(tests/lab/libgpiod2)"
 # The command with libgpiod as installed, and with its version 2.
 LAB_BOTH_BUILDS = $(BUILD) build/gpiod2
+# With none of it the fuzzers are not built, either. Above the rules, whose prerequisites are expanded as they are read.
+LAB_FUZZ = tests/lab/test_fuzz
 
 $(BUILD)/tests/lab/%.o: tests/lab/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -77,7 +79,6 @@ glint-gpiod2:
 # What takes longest goes first: of what is built the kernel, of what runs the programs that compute. The others mostly
 # wait for USB: two more run than there are processors.
 LAB_JOBS = $$(($$(nproc) + 2))
-LAB_FUZZ = tests/lab/test_fuzz
 run-lab: $(BUILD)/tests/lab/spi.dtb $(BUILD)/glint glint-gpiod2 lab-programs
 	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$(LAB_JOBS) && \
 		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
