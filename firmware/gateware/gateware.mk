@@ -9,6 +9,8 @@ GATEWARE_PACKAGES = yosys nextpnr-ice40 fpga-icestorm python3-minimal
 GATEWARE_TABLES = $(BUILD)/gateware/tables
 # MODULE:PART[:NAME=VALUE,...], see firmware/gateware/report.
 GATEWARE_REPORT = glint_core:up5k glint_lite:up5k glint_span:up5k glint_span:up5k:WHITE=1 glint_core:hx8k glint_lite:hx8k glint_lite:hx1k
+GATEWARE_UNROUTED = glint_core:ecp5:LUT_RAM=1 glint_lite:ecp5:LUT_RAM=1 glint_span:ecp5:LUT_RAM=1 glint_core:xilinx:LUT_RAM=1,ROW_AND=1 \
+	glint_lite:xilinx:LUT_RAM=1,ROW_AND=1 glint_span:xilinx:LUT_RAM=1,ROW_AND=1 glint_core:gowin:LUT_RAM=1 glint_lite:gowin:LUT_RAM=1 glint_span:gowin:LUT_RAM=1
 include $(wildcard firmware/gateware/boards/*/*.mk)
 
 gateware: $(GATEWARE_BOARDS:%=$(GATEWARE)/%.bin) ## firmware: bitstreams into build/gateware, one for each of firmware/gateware/boards
@@ -37,7 +39,7 @@ gateware-report: setup-gateware-tools ## measure: what the gateware takes on iCE
 	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_REPORT)
 
 gateware-parts: setup-gateware-tools ## measure: what it takes on ECP5, Xilinx and Gowin parts, into the same file (five minutes)
-	@firmware/gateware/parts -r firmware/gateware/README.md -w $(GATEWARE)/parts
+	@firmware/gateware/report -r firmware/gateware/README.md -w $(GATEWARE)/report $(GATEWARE_UNROUTED)
 
 # The demo's tables, of the library's values; a test tells when those in the tree are not what this program writes.
 $(GATEWARE_TABLES): firmware/gateware/demo/tables.c $(BUILD)/firmware/core/orbit.o $(BUILD)/libglint.a

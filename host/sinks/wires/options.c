@@ -43,8 +43,8 @@ static const struct argp_option spidev_options[] = {
     {0}};
 
 static const char *const bus_names[] = {"spi", "8080", NULL};
-static const char *const mode_names[] = {"0", "3",
-                                         NULL}; /* panels take bits as the clock rises, which the others do not */
+/* Panels take bits as the clock rises, for which the others are not. */
+static const char *const mode_names[] = {"0", "3", NULL};
 
 /* ---- roles ---- */
 
@@ -207,8 +207,7 @@ static int take(void *context, const char *section, const char *name, const char
         i++;
     if (i == SETTINGS)
         fail("%s: unknown setting '%s'; choose from bus, chip, spidev, spi-hz, spi-mode, panel, size, rotation, "
-             "offset, bgr, "
-             "invert; [lines] begins the lines",
+             "offset, bgr, invert; [lines] begins the lines",
              reader->origin, name);
     if (reader->seen >> i & 1)
         fail("%s: %s is given twice", reader->origin, name);
@@ -299,8 +298,9 @@ const struct gpio_options *gpio_options_ready(bool spidev)
     ready.chip = text_of(KEY_CHIP, NULL);
     ready.spidev = text_of(KEY_SPIDEV, "/dev/spidev0.0");
     ready.spi_hz = (uint32_t)strtoul(text_of(KEY_SPI_HZ, "16000000"), NULL, 10);
-    ready.clock_rests_high = strcmp(text_of(KEY_SPI_MODE, "0"), "3") == 0;
-    if (ready.clock_rests_high && ready.kind == GPIO_BUS_8080)
+    const char *mode = text_of(KEY_SPI_MODE, NULL);
+    ready.clock_rests_high = mode && *mode == '3';
+    if (mode && ready.kind == GPIO_BUS_8080)
         fail("--spi-mode: is for SPI; leave it out for --bus 8080");
     for (unsigned i = 0; i < ROLES; i++) {
         const bool user = by_user.lines[i].text != NULL;

@@ -8,7 +8,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Mode 3 where the clock rests high, else 0, with 8 bits. A descriptor; `chunk` becomes how many bytes it takes at once. Ends the program through fail(). */
+/* Mode 3 where the clock rests high, else 0, with 8 bits. A descriptor; `chunk` becomes how many bytes it takes at once.
+ * Ends the program through fail(). */
 int spidev_open(const char *path, uint32_t hz, bool rests_high, size_t *chunk);
 
 json_t *spidev_list(void);

@@ -103,6 +103,8 @@ static void a_file_s_wrong_line_is_told_with_its_number(void **state)
     (void)state;
     assert_config_fails("# pins\n\nbus spi\n", "pins.ini:3: neither NAME = VALUE nor [lines] nor a # comment");
     assert_config_fails("bus = spi\nspeed = 3\n", "pins.ini:2: unknown setting 'speed'; choose from bus, chip");
+    assert_config_fails("spi-mode = 2\n", "pins.ini:1: spi-mode: unknown mode '2'; choose from 0, 3");
+    assert_config_fails("bus = 8080\nspi-mode = 0\n", "--spi-mode: is for SPI; leave it out for --bus 8080");
     assert_config_fails("bus = i2c\n", "pins.ini:1: bus: unknown bus 'i2c'; choose from spi, 8080");
     assert_config_fails("bus = spi\n  bus = 8080\n", "pins.ini:2: bus is given twice");
     assert_config_fails("rotation = 45\n", "pins.ini:1: rotation: unknown rotation '45'; choose from");
