@@ -224,7 +224,8 @@ static void full_gloss_draws_what_no_map_does_and_coverage_blends_what_the_maps_
         for (int p = 0; p < WIDE * LINES; p++) { /* over black */
             unsigned wanted = 0;
             for (int k = 0; k < 3; k++) {
-                const unsigned bit = k == 0 ? 11 : k == 1 ? 5 : 0, level = in_order(&s, full[p]) >> bit & most[k];
+                const unsigned bit = k == 0 ? 11 : k == 1 ? 5 : 0;
+                const unsigned level = in_order(&s, full[p]) >> bit & (unsigned)most[k];
                 wanted |= (2 * level * coverage[p] + 255) / 510 << bit;
             }
             assert_int_equal(soft[p], is_surface(scene_normals.vec[p]) ? in_order(&s, wanted) : 0);
