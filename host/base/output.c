@@ -197,6 +197,14 @@ static bool is_standard_output(const struct stat *status)
     return fstat(STDOUT_FILENO, &standard) == 0 && same_status(status, &standard);
 }
 
+/* A terminal takes both; of other devices, as /dev/null, nobody reads what is mixed. */
+bool output_is_standard(const char *path)
+{
+    struct stat status;
+    return strcmp(path, "-") == 0 || (stat(path, &status) == 0 && is_standard_output(&status) &&
+                                      (!S_ISCHR(status.st_mode) || isatty(STDOUT_FILENO)));
+}
+
 struct output *output_open(const char *path)
 {
     struct output *output = calloc(1, sizeof *output);

@@ -22,7 +22,9 @@ void output_never(FILE *input);
 void output_never_number(dev_t device, ino_t file); /* the same of one that another process read */
 /* Refuses a name that output_open would refuse because it leads to an input. */
 void output_check(const char *path);
-bool output_same(const char *a, const char *b);   /* do two names lead to one file, whether it exists or not? */
+bool output_same(const char *a, const char *b); /* do two names lead to one file, whether it exists or not? */
+/* Does it go to standard output, by whatever name? What is said of it goes to standard error then. */
+bool output_is_standard(const char *path);
 void output_check_written(struct output *output); /* what was written so far is there, or fail() */
 void output_close(struct output *output);         /* checks, gives the file its name, frees */
 void output_discard(struct output *output);       /* removes it unfinished, frees */

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "base/output_pair.h"
 
-#include <string.h>
-
 #include "base/message.h"
 #include "base/stop.h"
 
@@ -16,7 +14,7 @@ struct output_pair output_pair_open(const char *source, const char *header)
 
 void output_pair_end_standard(struct output_pair *pair)
 {
-    if (!pair->source || strcmp(pair->source->path, "-") != 0)
+    if (!pair->source || pair->source->stream != stdout)
         return;
     output_close(pair->source);
     pair->source = NULL;

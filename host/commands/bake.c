@@ -165,11 +165,6 @@ static enum bake_kind kind_by_ending(const struct argp_state *state, const char 
     refuse(state, "-o: '%s' does not end in .c, .h, .bin or .uf2; rename it, or give --as", path);
 }
 
-static bool is_stdout(const char *path)
-{
-    return path && strcmp(path, "-") == 0;
-}
-
 static void check_mesh(const struct argp_state *state, const struct request *request)
 {
     if (!request->scene.mesh.name && request->unit > 0)
@@ -184,7 +179,7 @@ static void check_mesh(const struct argp_state *state, const struct request *req
 
 static void check(const struct argp_state *state, struct request *request)
 {
-    const bool to_stdout = is_stdout(request->path);
+    const bool to_stdout = request->path && strcmp(request->path, "-") == 0;
     check_mesh(state, request);
     if (request->scene.has_grain && !request->scene.grain_map)
         refuse(state, "--grain: of grain a FILE alone is baked; give another kind to %s",
@@ -214,7 +209,7 @@ static void check(const struct argp_state *state, struct request *request)
         refuse(state, "--address is for UF2; it cannot be used with --as %s", kind_names[request->kind]);
     if (request->scene.albedo && request->kind == BAKE_UF2)
         refuse(state, "--albedo cannot be used with --as uf2: the Pico's firmware has one colour");
-    if (to_stdout && request->kind != BAKE_C && isatty(STDOUT_FILENO))
+    if (output_is_standard(request->path) && request->kind != BAKE_C && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
 }
 
@@ -287,7 +282,7 @@ static void write_baked(const struct request *request, const struct baked *baked
 
 static FILE *report_stream(const struct request *request)
 {
-    return is_stdout(request->path) ? stderr : stdout;
+    return request->path && output_is_standard(request->path) ? stderr : stdout;
 }
 
 static void check_flash(const struct request *request, size_t bytes)

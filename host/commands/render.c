@@ -53,7 +53,7 @@ static void report(const struct render_options *options, const struct drawn *dra
     const struct scene *scene = drawn->scene;
     const struct shading *shading = drawn->shadings;
     /* A picture on standard output leaves only standard error for words. */
-    const bool to_stdout = options->output && strcmp(options->output, "-") == 0;
+    const bool to_stdout = options->output && output_is_standard(options->output);
     FILE *stream = to_stdout ? stderr : stdout;
     struct comparison comparison;
     compare(scene, shading, levels, &comparison);

@@ -84,7 +84,7 @@ static void check(const struct argp_state *state, struct request *request)
 {
     if (request->raw && request->name)
         refuse(state, "--name is for C source; it cannot be used with --raw");
-    if (request->raw && strcmp(request->path, "-") == 0 && isatty(STDOUT_FILENO))
+    if (request->raw && output_is_standard(request->path) && isatty(STDOUT_FILENO))
         refuse(state, "--raw: standard output is a terminal; pipe or redirect it, or name a file by -o");
     if (request->kind < 0 && has_look(&request->look))
         refuse(state,

@@ -99,7 +99,7 @@ static void check_outputs(const struct argp_state *state, struct render_options 
 {
     if (!o->output && !o->compare)
         refuse(state, "no output; give -o FILE, or --compare");
-    if (o->output && strcmp(o->output, "-") == 0 && isatty(STDOUT_FILENO))
+    if (o->output && output_is_standard(o->output) && isatty(STDOUT_FILENO))
         refuse(state, "-o -: standard output is a terminal; pipe or redirect it, or name a file");
     if (o->gouraud && (!o->look.scene.mesh.name || o->raw))
         refuse(state, o->raw ? "--image raw is what the library writes; it cannot be used with --gouraud"
@@ -109,7 +109,7 @@ static void check_outputs(const struct argp_state *state, struct render_options 
                              : "--replicate is for the picture of -o; give -o FILE");
     if (o->widen == WIDEN_REPLICATE && format_max(o->look.shading.format, 0) == 255)
         refuse(state, "--replicate needs --format rgb565 or rgb565-swapped: other levels have 8 bits");
-    if (o->error_map && strcmp(o->error_map, "-") == 0)
+    if (o->error_map && output_is_standard(o->error_map))
         refuse(state, "--error-map: name a file; only the picture of -o can go to standard output");
     if (o->error_map && o->output && output_same(o->error_map, o->output))
         refuse(state, "--error-map: this is the file of -o, too; name another");

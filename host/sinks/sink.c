@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "sinks/sink.h"
 
-#include <string.h>
-
+#include "base/output.h"
 #include "image/picture.h"
 
 struct sink *sink_open(const struct sink_kind *kind, bool shades, const struct sink_wish *wish)
@@ -35,5 +34,5 @@ void sink_size(struct sink *sink, const struct sink_wish *wish)
 bool sink_takes_standard_output(const struct sink_kind *kind, const char *output)
 {
     const struct sink_output *to = kind->output;
-    return to && (to->piped || to->shown || (to->dash && output && strcmp(output, "-") == 0));
+    return to && (to->piped || to->shown || (to->dash && output && output_is_standard(output)));
 }

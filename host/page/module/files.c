@@ -181,6 +181,11 @@ void output_check_written(struct output *output)
     (void)output;
 }
 
+bool output_is_standard(const char *path)
+{
+    return strcmp(path, "-") == 0;
+}
+
 bool output_same(const char *a, const char *b)
 {
     return strcmp(a, b) == 0;

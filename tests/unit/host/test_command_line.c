@@ -341,6 +341,28 @@ static void a_file_behind_standard_output_is_written_where_it_stands(void **stat
     assert_int_equal(run("ls -A | grep -q glint-")->status, 1);
 }
 
+/* By whatever name, into a file or a pipe. */
+static void what_is_said_of_an_output_is_never_written_into_it(void **state)
+{
+    (void)state;
+    static const char *const talking[] = {"bake coin --size 20x20 --as raw", "bake teapot --as raw",
+                                          "render coin --size 20x20 --image raw --compare",
+                                          "stream coin --size 20x20 --to y4m --frames 2 --stats"};
+    for (size_t i = 0; i < sizeof talking / sizeof *talking; i++) {
+        char command[1000];
+        snprintf(
+            command, sizeof command,
+            "$GLINT %s -o - >said 2>/dev/null; ln -sf /dev/stdout way; for i in /dev/stdout way; do "
+            "$GLINT %s -o $i >found && cmp said found >&2 && $GLINT %s -o $i | cat >found && cmp said found >&2 || "
+            "exit; done",
+            talking[i], talking[i], talking[i]);
+        const struct run *result = run(command);
+        if (result->status != 0)
+            fail_msg("%s: %s", command, result->err);
+    }
+    assert_int_equal(run("$GLINT render coin --size 20x20 --error-map /dev/stdout >found")->status, 2);
+}
+
 static void a_name_of_the_longest_length_can_be_written(void **state)
 {
     (void)state;
@@ -394,6 +416,7 @@ int main(void)
         cmocka_unit_test(a_symbolic_link_stays_one),
         cmocka_unit_test(pipes_and_devices_are_written_in_place),
         cmocka_unit_test(a_file_behind_standard_output_is_written_where_it_stands),
+        cmocka_unit_test(what_is_said_of_an_output_is_never_written_into_it),
         cmocka_unit_test(a_name_of_the_longest_length_can_be_written),
         cmocka_unit_test(an_output_that_cannot_be_is_named),
     };
