@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT
  * A regular file is written beside its name and then renamed, so that it is whole or not there. */
 #include <errno.h>
+#include <fcntl.h>
 #include <limits.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -67,25 +69,46 @@ static mode_t wanted_mode(bool exists, const struct stat *status)
     return 0666 & ~mask;
 }
 
+/* Where a symbolic link leads; NULL: it is none. */
+static char *link_target(const char *path)
+{
+    char link[PATH_MAX], *next;
+    const ssize_t length = readlink(path, link, sizeof link - 1);
+    if (length < 0)
+        return NULL;
+    link[length] = '\0';
+    const char *slash = *link == '/' ? NULL : strrchr(path, '/');
+    const int folder = slash ? (int)(slash - path) + 1 : 0;
+    return asprintf(&next, "%.*s%s", folder, path, link) < 0 ? NULL : next;
+}
+
 /* Where the name leads: a symbolic link stays one, also one whose file is not there yet. */
 static char *resolve(const char *path)
 {
     char *target = realpath(path, NULL);
     if (target || errno != ENOENT)
         return target;
-    char link[PATH_MAX];
-    const ssize_t length = readlink(path, link, sizeof link - 1);
-    if (length < 0)
-        return strdup(path);
-    link[length] = '\0';
-    const char *slash = *link == '/' ? NULL : strrchr(path, '/');
-    const int folder = slash ? (int)(slash - path) + 1 : 0;
-    char *next;
-    if (asprintf(&next, "%.*s%s", folder, path, link) < 0)
-        return NULL;
-    target = resolve(next); /* ends: a loop of links is ELOOP to realpath */
+    char *next = link_target(path);
+    target = next ? resolve(next) : strdup(path); /* ends: a loop of links is ELOOP to realpath */
     free(next);
     return target;
+}
+
+/* Of the name of a file that leads to an open descriptor, as /dev/stderr and /dev/fd/3, its number; else -1. */
+static int descriptor_of(const char *path)
+{
+    char own[32];
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
+    char *real = folder ? realpath(folder, NULL) : NULL, *next = NULL;
+    snprintf(own, sizeof own, "/proc/%d/fd", (int)getpid());
+    int found = real && strcmp(real, own) == 0 ? (int)strtol(name, NULL, 10) : -1;
+    if (found < 0 && (next = link_target(path)))
+        found = descriptor_of(next);
+    free(folder);
+    free(real);
+    free(next);
+    return found;
 }
 
 static bool same_status(const struct stat *a, const struct stat *b)
@@ -222,6 +245,14 @@ struct output *output_open(const char *path)
         refuse_input(path, &status);
     if (exists && S_ISREG(status.st_mode) && is_standard_output(&status)) {
         output->stream = stdout;
+        return output;
+    }
+    const int open_already = exists && S_ISREG(status.st_mode) ? descriptor_of(path) : -1;
+    if (open_already >= 0) {
+        const int descriptor = fcntl(open_already, F_DUPFD_CLOEXEC, 0);
+        output->stream = descriptor < 0 ? NULL : fdopen(descriptor, "wb");
+        if (!output->stream)
+            fail("%s: %s", path, strerror(errno));
         return output;
     }
     if (exists && !S_ISREG(status.st_mode)) {

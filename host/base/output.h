@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * Output files. A regular file is written beside its name and renamed when it is whole; "-" is standard output, and so is
- * any name of the file that it goes to; pipes and devices are written in place. If a step fails, the program ends through
- * fail() and leaves no partial file. */
+ * any name of the file that it goes to; pipes, devices and files behind names of open descriptors, as /dev/fd/3, are
+ * written in place. If a step fails, the program ends through fail() and leaves no partial file. */
 #ifndef GLINT_BASE_OUTPUT_H
 #define GLINT_BASE_OUTPUT_H
 

@@ -341,6 +341,20 @@ static void a_file_behind_standard_output_is_written_where_it_stands(void **stat
     assert_int_equal(run("ls -A | grep -q glint-")->status, 1);
 }
 
+static void a_file_behind_another_descriptor_is_written_where_it_stands(void **state)
+{
+    (void)state;
+    assert_int_equal(run(EVAL " >alone; (echo before; cat alone; echo after) >wanted; ln -s /dev/fd/4 four")->status,
+                     0);
+    assert_int_equal(run("for i in /dev/fd/4 /proc/self/fd/4 four; do { echo before >&4; " EVAL
+                         " -o $i; echo after >&4; } 4>found && cmp found wanted >&2 || exit; done")
+                         ->status,
+                     0);
+    assert_int_equal(
+        run("{ echo before >&2; " EVAL " -o /dev/stderr; echo after >&2; } 2>found; cmp found wanted")->status, 0);
+    assert_int_equal(run("ls -A | grep -q glint-")->status, 1);
+}
+
 /* By whatever name, into a file or a pipe. */
 static void what_is_said_of_an_output_is_never_written_into_it(void **state)
 {
@@ -416,6 +430,7 @@ int main(void)
         cmocka_unit_test(a_symbolic_link_stays_one),
         cmocka_unit_test(pipes_and_devices_are_written_in_place),
         cmocka_unit_test(a_file_behind_standard_output_is_written_where_it_stands),
+        cmocka_unit_test(a_file_behind_another_descriptor_is_written_where_it_stands),
         cmocka_unit_test(what_is_said_of_an_output_is_never_written_into_it),
         cmocka_unit_test(a_name_of_the_longest_length_can_be_written),
         cmocka_unit_test(an_output_that_cannot_be_is_named),
