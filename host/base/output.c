@@ -294,8 +294,10 @@ void output_check_written(struct output *output)
     errno = 0;
     if (fflush(output->stream) == 0 && !ferror(output->stream))
         return;
-    const int reason = errno;
+    int reason = errno;
     stop_if_interrupted(reason);
+    if (!reason && output->stream != stdout && write(fileno(output->stream), "", 1) < 0) /* fails as before */
+        reason = errno;
     fail("%s: could not be written: %s", name_of(output), reason ? strerror(reason) : "write error");
 }
 

@@ -243,6 +243,8 @@ static void a_full_disk_is_a_failure(void **state)
     assert_fails("$GLINT render --scene sphere --size 8x8 --compare >/dev/full",
                  "the comparison could not be written: No");
     assert_fails("$GLINT bake --scene coin --size 8x8 >/dev/full", "the quality could not be written: No space");
+    assert_fails("ulimit -f 99; $GLINT bake --scene coin --size 170x170 --as raw -o full.bin",
+                 "full.bin: could not be written: File too large");
 }
 
 static void a_closed_standard_output_is_a_failure(void **state)
