@@ -129,7 +129,7 @@ static uint8_t *shape_of(const struct image *logo)
     return drawn;
 }
 
-/* What is drawn, 8 bits a pixel: the mask's alpha where that leaves pixels out, else its brightness; without a mask the normal map's
+/* What a mask draws, 8 bits a pixel: the mask's alpha where that leaves pixels out, else its brightness; without a mask the normal map's
  * alpha. Grey and alpha of a normal map are x and y. */
 static void find_mask(struct scene_lines *lines)
 {
@@ -141,15 +141,20 @@ static void find_mask(struct scene_lines *lines)
     lines->drawn_from = maps->mask || lines->by_alpha ? from : NULL;
 }
 
-/* NULL: everything. */
+/* NULL: everything, but for what is cut out. */
 static uint8_t *drawn_of(const struct scene_lines *lines, uint32_t top, uint32_t count)
 {
-    const struct scene_options *options = &lines->maps->options;
-    if (lines->drawn_from)
-        return lines_of(lines->drawn_from, lines->by_alpha ? image_alpha8 : image_grey8, top, count);
-    if (options->heights && options->bevel > 0 && cuts_out(options))
-        return shape_of(lines->maps->surface);
-    return NULL;
+    if (!lines->drawn_from)
+        return NULL;
+    return lines_of(lines->drawn_from, lines->by_alpha ? image_alpha8 : image_grey8, top, count);
+}
+
+/* Of what is cut out a mask draws nothing. */
+static void add_mask(struct scene *scene, uint8_t *drawn)
+{
+    for (size_t i = 0; scene->mask && i < (size_t)scene->width * scene->height; i++)
+        drawn[i] = (uint8_t)((drawn[i] * scene->mask[i] + 127) / 255);
+    replace(&scene->mask, drawn);
 }
 
 /* The size of the maps, or that at which a built-in scene is drawn. */
@@ -175,6 +180,7 @@ static struct scene *surface_lines(struct scene_lines *lines, uint32_t top, uint
     if (options->heights && options->bevel > 0) {
         double *heights = bevel_heights(maps->surface, options->bevel);
         scene = scene_from_relief(heights, width, height, options->scale, repeats);
+        scene->mask = cuts_out(options) ? shape_of(maps->surface) : NULL;
         free(heights);
     } else if (options->heights) {
         scene = scene_from_heights_lines(maps->surface, options->scale, repeats, top, count);
@@ -191,7 +197,7 @@ static struct scene *surface_lines(struct scene_lines *lines, uint32_t top, uint
     if (maps->gloss)
         replace(&scene->gloss, lines_of(maps->gloss, image_grey8, top, count));
     if (drawn)
-        replace(&scene->mask, drawn);
+        add_mask(scene, drawn);
     if (maps->grain)
         replace(&scene->grain_map, lines_of(maps->grain, image_grey8, top, count));
     return scene;

@@ -209,6 +209,27 @@ static void the_background_is_seen_where_nothing_is_drawn(void **state)
     assert_string_equal(run("tail -c 12288 out/a.ppm | head -c 3 | od -An -tu1")->out, "  16  32  48\n");
 }
 
+static void what_is_cut_out_stays_out_under_a_mask(void **state)
+{
+    (void)state;
+    static const char *const cut[] = {"--scene coin --size 64x64 --cut-out",
+                                      "--scene sphere --size 64x64 --background 16,32,48",
+                                      "--height out/disc.png --bevel 9 --cut-out"};
+    assert_quiet("$GLINT render sphere --size 64x64 --ambient 1 --diffuse 0 --specular 0 --color 255,255,255 "
+                 "--format grey8 -o out/white.png && $GLINT render sphere --size 64x64 --ambient 1 --diffuse 0 "
+                 "--specular 0 --color 255,255,255 --format grey8 --cut-out -o out/disc.png");
+    for (size_t i = 0; i < sizeof cut / sizeof *cut; i++) {
+        char command[600];
+        snprintf(command, sizeof command,
+                 "$GLINT render %s -o out/a.ppm && $GLINT render %s --mask out/white.png -o out/b.ppm", cut[i], cut[i]);
+        assert_quiet(command);
+        assert_same_file("out/a.ppm", "out/b.ppm");
+    }
+    assert_quiet("$GLINT render coin --size 64x64 --cut-out -o out/a.ppm && $GLINT render coin --size 64x64 --cut-out "
+                 "--mask out/disc.png -o out/b.ppm");
+    assert_false(same_file("out/a.ppm", "out/b.ppm")); /* the coin is larger */
+}
+
 /* The edges of a frame are not blended over those of the frame before. */
 static void a_stream_draws_soft_edges_as_pictures_do(void **state)
 {
@@ -457,6 +478,7 @@ int main(void)
         cmocka_unit_test(equal_shininess_along_and_across_is_no_grain),
         cmocka_unit_test(a_scene_over_a_background_is_within_half_a_level_of_double_precision),
         cmocka_unit_test(the_background_is_seen_where_nothing_is_drawn),
+        cmocka_unit_test(what_is_cut_out_stays_out_under_a_mask),
         cmocka_unit_test(a_stream_draws_soft_edges_as_pictures_do),
         cmocka_unit_test(bake_keeps_a_soft_edge_as_coverage),
         cmocka_unit_test(baked_maps_compile_and_are_named_in_the_header),
