@@ -62,15 +62,14 @@ static void receive_pictures(struct reader *reader, struct soup *soup)
         receive(reader, bytes, head.len);
         const char *wrong = head.message[0] ? head.message : import_picture_decode(picture, head.name, bytes, head.len);
         free(bytes);
-        if (wrong)
-            warn("%s: texture %s is left out: %s", soup->name, head.name, wrong);
+        const size_t pixels = (size_t)picture->width * picture->height; /* which take as long in one that is damaged */
         if (wrong) {
+            warn("%s: texture %s is left out: %s", soup->name, head.name, wrong);
             mesh_picture_clear(picture);
-            continue;
         }
-        const size_t pixels = (size_t)picture->width * picture->height;
         if (pixels > pixels_left)
-            fail("%s: its textures have more than %d pixels; save smaller ones", soup->name, PICTURES_PIXELS_MAX);
+            fail("%s: its textures have more than %d pixels, those that are left out counted; save smaller ones",
+                 soup->name, PICTURES_PIXELS_MAX);
         pixels_left -= pixels;
     }
 }

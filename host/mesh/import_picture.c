@@ -147,11 +147,15 @@ const char *import_picture_decode(struct mesh_picture *picture, const char *name
     struct child child;
     child_start(&child, name, "glint", decode, &source);
     const char *wrong = child_receive(&child, &head, sizeof head);
-    if (wrong)
+    if (wrong) {
+        *picture = (struct mesh_picture){.width = PIXELS_MAX, .height = 1};
         return wrong;
+    }
     head.message[sizeof head.message - 1] = 0;
     if (head.message[0] || head.width == 0 || head.height == 0 || !is_allowed(&head)) {
         child_end(&child);
+        if (picture_size_fits(head.width, head.height))
+            *picture = (struct mesh_picture){.width = head.width, .height = head.height};
         return head.message[0] ? head.message : "has no pixels";
     }
     *picture =

@@ -462,6 +462,25 @@ static void textures_in_many_colours_have_a_limit_of_memory(void **state)
     assert_quiet("$GLINT render --mesh many.obj --no-textures --size 9x9 -o many.ppm");
 }
 
+/* It takes as long under each name. */
+static void a_damaged_texture_under_many_names_takes_no_endless_time(void **state)
+{
+    (void)state;
+    enum { SIDE = 5792 };
+    uint16_t *samples = calloc(SIDE * SIDE, sizeof *samples);
+    assert_non_null(samples);
+    make_png("whole.png", &(struct made_png){.width = SIDE, .height = SIDE, .bits = 1, .samples = samples});
+    free(samples);
+    write_text("cut.obj", "mtllib cut.mtl\nv 0 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                          "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 2/2 3/3\nusemtl c\nf 1/1 2/2 3/3\n");
+    write_text("cut.mtl", "newmtl a\nmap_Kd cut.png\nnewmtl b\nmap_Kd ./cut.png\nnewmtl c\nmap_Kd ././cut.png\n");
+    const struct run *result = run("head -c -20 whole.png >cut.png && $GLINT render --mesh cut.obj -o no.ppm");
+    assert_int_equal(result->status, 1);
+    assert_contains(result->err, "cut.obj: texture ./cut.png is left out: damaged PNG");
+    assert_contains(result->err,
+                    "cut.obj: its textures have more than 67108864 pixels, those that are left out counted");
+}
+
 static void places_in_a_picture_matter_only_where_there_is_one(void **state)
 {
     (void)state;
@@ -518,6 +537,7 @@ int main(void)
         cmocka_unit_test(corners_without_normals_take_none_from_others),
         cmocka_unit_test(normals_of_some_corners_do_not_spare_a_file_its_splits),
         cmocka_unit_test(textures_in_many_colours_have_a_limit_of_memory),
+        cmocka_unit_test(a_damaged_texture_under_many_names_takes_no_endless_time),
         cmocka_unit_test(places_in_a_picture_matter_only_where_there_is_one),
         cmocka_unit_test(the_search_for_edges_side_by_side_has_a_limit_of_steps),
 #endif
