@@ -33,13 +33,18 @@ static const char *ending_of(const char *path)
          path);
 }
 
-/* Of UTF-8 the mark of 3 bytes, else 0. What is in UTF-16, as some shells write what is sent into a file, none of the readers takes for text. */
+static size_t utf8_mark_len(const char *bytes, size_t len)
+{
+    return len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
+
+/* What is in UTF-16, as some shells write what is sent into a file, none of the readers takes for text. */
 static size_t mark_len(const char *name, const char *bytes, size_t len)
 {
     const bool is_low = len >= 4 && memcmp(bytes, "\xFF\xFE", 2) == 0 && bytes[2] && !bytes[3];
     if (is_low || (len >= 4 && memcmp(bytes, "\xFE\xFF", 2) == 0 && !bytes[2] && bytes[3]))
         fail("%s: is text in UTF-16; save it as UTF-8", name);
-    return len >= 3 && memcmp(bytes, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+    return utf8_mark_len(bytes, len);
 }
 
 /* For what does not begin as its name says libassimp looks among all its readers, and no check of ours fits these. STL and PLY have one reader each, by
@@ -120,7 +125,8 @@ static const char *ending_by_bytes(const struct import_source *source)
     const size_t len = source->len;
     if (len >= 4 && memcmp(at, "glTF", 4) == 0)
         return glb;
-    if (len >= 4 && memcmp(at, "ply", 3) == 0 && isspace((unsigned char)at[3]))
+    const char *const ply_at = at + utf8_mark_len(at, len);
+    if (end - ply_at >= 4 && memcmp(ply_at, "ply", 3) == 0 && isspace((unsigned char)ply_at[3]))
         return ply;
     if (stl_binary_len(at, len) == len)
         return stl;

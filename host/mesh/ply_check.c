@@ -340,8 +340,20 @@ static bool may_change_first(const struct element *elements, unsigned count)
     return i < count && elements[i].of[0].is_float && !elements[i].of[0].is_big;
 }
 
+/* The mark of UTF-8 stands before what some programs write as text. */
+static void leave_mark_out(char *text, size_t *len)
+{
+    static const char mark[] = "\xEF\xBB\xBF";
+    enum { LEN = sizeof mark - 1 };
+    if (*len < LEN || memcmp(text, mark, LEN) != 0)
+        return;
+    *len -= LEN;
+    memmove(text, text + LEN, *len);
+}
+
 const char *ply_check(char *text, size_t *len)
 {
+    leave_mark_out(text, len);
     struct body body = {text, text + *len, false, *len > 4 && text[3] == '\r' && text[4] != '\n'};
     struct element elements[ELEMENTS_MAX];
     unsigned count;

@@ -292,6 +292,8 @@ static void a_mark_of_utf_8_may_stand_before_a_mesh(void **state)
     assert_same_mesh("b.gltf", "{ printf '\\357\\273\\277'; cat b.gltf; } >made.gltf");
     assert_same_piped();
     assert_same_mesh("a.obj", "{ printf '\\357\\273\\277'; cat a.obj; } >made.obj");
+    assert_same_mesh("a.ply", "{ printf '\\357\\273\\277'; cat a.ply; } >made.ply");
+    assert_same_piped();
 }
 
 /* ---- OBJ ---- */
