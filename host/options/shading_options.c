@@ -122,7 +122,7 @@ static void parse_color(const struct argp_state *state, const char *text, struct
     options->has_color = true;
 }
 
-/* Once all options are read: an error stands alone, and -n may have come after it. */
+/* Once all options are read and good: an error stands alone, and -n may have come after it. */
 static void say_roughness(const struct shading_options *options)
 {
     const double n = shininess_of_roughness(options->roughness);
@@ -264,6 +264,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
             take_material(o, &preset);
         }
         check_lamps(state, &o->shading);
+        return 0;
+    case ARGP_KEY_SUCCESS:
         say_roughness(o);
         return 0;
     default:
