@@ -180,6 +180,9 @@ int command_eval(int argc, char **argv)
     struct request request = {.q = -1};
     parse_command(&argp, 0, argc, argv, &request);
 
+    for (size_t i = 0; i < request.value_count; i++)
+        if (strcmp(request.values[i], "-") == 0)
+            output_never(stdin);
     struct output *output = output_open(request.lobes.path);
     struct rows *rows =
         rows_begin(output->stream, request.lobes.format, request.of_t ? columns_of_t : columns_of_c, COLUMN_COUNT);

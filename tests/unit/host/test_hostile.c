@@ -23,6 +23,7 @@ static void an_output_that_is_also_an_input_is_refused_and_kept(void **state)
         "render --height out/in.png --error-map out/in.png",
         "bake --height out/in.png --as raw -o out/link.png",
         "bake --height out/in.png --as c -o out/hard.png",
+        "eval - -o out/in.txt <out/in.txt",
         "stream --height out/in.png --to png --frames 1 -o out/in.png",
         "stream --height out/other.png --albedo out/in.png --to png --frames 1 -o out/in.png",
         "stream --height out/other.png --to png --frames 1 --lights out/in.txt -o out/in.txt",
