@@ -211,6 +211,16 @@ void gud_device_restart(struct gud_device *d)
         gud_rectangle_close(d);
 }
 
+/* Frames that nothing announces have no other beginning than the end of the one before. */
+void gud_device_time(struct gud_device *d, uint32_t now_us)
+{
+    if (d->has_moved)
+        d->moved_us = now_us;
+    else if (d->open && !d->config->whole_frames && now_us - d->moved_us >= 1000 * (uint32_t)GUD_ABANDONED_MS)
+        gud_rectangle_close(d);
+    d->has_moved = false;
+}
+
 /* ---- the bus ---- */
 
 void gud_device_reset(struct gud_device *d)

@@ -7,6 +7,7 @@
  *   data    -> gud_device_set: for requests to the device, when their data is there (also where they have none)
  *   bulk    -> gud_device_bulk: pieces of any size; gud_device_expects tells how much is to come
  *   bus     -> gud_device_reset, _suspend, _resume
+ *   clock   -> gud_device_time, where something else may want the panel
  *
  * One thread at a time. A rectangle that ends early (the host gave up, the bus was reset) leaves its other lines as they
  * were; the next GUD_SET_BUFFER starts a new one, of whole frames the next commit. Bytes that no rectangle expects are dropped, and whole frames
@@ -69,9 +70,11 @@ struct gud_device {
     uint32_t bulk_left; /* bytes on the wire */
     bool open;          /* between ops->window and ops->end */
     bool compressed;
-    uint8_t half; /* of the output lines: the one to be written next */
+    uint8_t half;   /* of the output lines: the one to be written next */
+    bool has_moved; /* bytes have come since gud_device_time was called */
     uint16_t columns, lines_left;
     uint32_t line_bytes, line_filled;
+    uint32_t moved_us;
     struct lz4_block lz4;
 };
 
@@ -101,6 +104,9 @@ uint32_t gud_device_expects(const struct gud_device *device);
 void gud_device_bulk(struct gud_device *device, const uint8_t *bytes, size_t count);
 /* The host has halted the bulk endpoint or ended a halt: what nothing announces begins anew. */
 void gud_device_restart(struct gud_device *device);
+/* Call it often while a rectangle is open, with a clock of microseconds modulo 2^32: one that was announced ends where nothing has come for it for
+ * GUD_ABANDONED_MS: its host is gone. */
+void gud_device_time(struct gud_device *device, uint32_t now_us);
 /* Bus reset, disconnect, deconfigured: all that the host had set is gone, the display is off. */
 void gud_device_reset(struct gud_device *device);
 /* The display is off between the two. */

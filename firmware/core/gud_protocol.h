@@ -60,6 +60,7 @@ enum {
     GUD_CONNECTION_UNKNOWN = 2,
     GUD_STATUS_CHANGED = 1 << 7
 };
+enum { GUD_ABANDONED_MS = 4000 }; /* of a rectangle: hosts (Linux, glint) give one up after 3 s without progress */
 /* Of a connector: u16 property, u64 value each. */
 enum { GUD_BRIGHTNESS = 12 /* of the backlight, 0..100 */ };
 #define GUD_MAGIC ((uint32_t)0x1d50614d)

@@ -52,6 +52,7 @@ static void begin(struct gud_device *d, const struct gud_rectangle *r)
     d->lines_left = (uint16_t)r->height;
     d->line_bytes = r->length / r->height;
     d->line_filled = 0;
+    d->has_moved = true;
 }
 
 void gud_rectangle_open_whole(struct gud_device *d)
@@ -135,6 +136,7 @@ enum gud_status gud_rectangle_bulk(struct gud_device *d, const uint8_t *bytes, s
     if (count == 0)
         return status;
     d->bulk_left -= (uint32_t)count;
+    d->has_moved = true;
     if (d->compressed) {
         const uint8_t *run, *const end = bytes + count;
         for (size_t length; (length = lz4_block_next(&d->lz4, &bytes, end, &run)) != 0;)

@@ -300,6 +300,8 @@ int main(void)
         const bool is_knocked = hand_poll();
         if (gud_panel.has_failed)
             fail(FAULT_BUS);
+        if (gud.open)
+            gud_device_time(&gud, board_us());
         if (light.is_given)
             light_device_time(&light, board_us());
         const enum owner next = wanted();

@@ -24,6 +24,7 @@ struct light_sink {
 };
 
 enum { WAIT_MS = 250, LAST_FRAMES_MS = 2000, SENSOR_MS = 2500, ASK_MS = 10 };
+enum { BUSY_MS = GUD_ABANDONED_MS + 500 }; /* by then a rectangle whose host was killed has ended */
 
 static struct light_sink *of(const struct sink *sink)
 {
@@ -104,7 +105,7 @@ static const char busy_words[] =
 static int enable(struct light_sink *light, uint8_t value, const char **why)
 {
     uint8_t status = GUD_BUSY;
-    for (unsigned ms = 0; status == GUD_BUSY && ms < LAST_FRAMES_MS; ms += ASK_MS) {
+    for (unsigned ms = 0; status == GUD_BUSY && ms < BUSY_MS; ms += ASK_MS) {
         int result = light->link.control(&light->port, false, LIGHT_SET_ENABLE, 0, &value, 1);
         if (result == 1)
             return 0;
@@ -269,7 +270,7 @@ static enum sink_result give_light(struct light_sink *light, const int32_t to_li
         if (got < 0 || stream_stopped())
             return got < 0 ? result_of(light, got, "the light") : SINK_INTERRUPTED;
         const char *refusal = usb_demo_refusal(status);
-        if (refusal || ms >= LAST_FRAMES_MS)
+        if (refusal || ms >= BUSY_MS)
             fail("%s: %s", light->name, refusal ? refusal : busy_words);
         usb_pause_ms(ASK_MS);
     }

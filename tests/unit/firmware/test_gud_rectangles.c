@@ -346,6 +346,42 @@ static void after_too_little_bulk_the_next_rectangle_starts_at_its_beginning(voi
         }
 }
 
+/* The clock goes through its end on the way. */
+static void a_rectangle_for_which_nothing_comes_ends_and_one_that_is_slow_does_not(void **state)
+{
+    (void)state;
+    uint8_t bytes[2 * WIDTH * HEIGHT];
+    uint32_t now_us = UINT32_MAX - 7000000;
+    fill_random(bytes, sizeof bytes);
+    go(GUD_RGB565);
+    gud_device_time(&board.device, now_us);
+    for (unsigned taken = 0; taken < 3; taken++) {
+        const struct glint_box first = {0, 0, WIDTH, 2};
+        assert_int_equal(ask(&(struct gud_rectangle){0, 0, WIDTH, HEIGHT, sizeof bytes, 0, 0}), GUD_OK);
+        gud_device_time(&board.device, now_us += 123456789);
+        for (unsigned i = 0; i < taken; i++) {
+            send(bytes + 50 * i, 50, false);
+            gud_device_time(&board.device, now_us);
+            gud_device_time(&board.device, now_us += 1000 * GUD_ABANDONED_MS - 1);
+            assert_int_equal(board.windows, board.ends + 1);
+        }
+        send(bytes + 50 * taken, 1, false);
+        gud_device_time(&board.device, now_us);
+        gud_device_time(&board.device, now_us += 1000 * GUD_ABANDONED_MS);
+        assert_int_equal(board.windows, board.ends);
+        assert_int_equal(gud_device_expects(&board.device), 0);
+        send(bytes, 5, false);
+        assert_int_equal(status(), GUD_PROTOCOL); /* its host is back, too late */
+        draw(first, GUD_RGB565, bytes, false, true);
+    }
+    take_whole_frames(); /* of which nothing but its end tells where the next one begins */
+    go(GUD_RGB565);
+    send(bytes, 50, false);
+    gud_device_time(&board.device, now_us);
+    gud_device_time(&board.device, now_us + 2000 * GUD_ABANDONED_MS);
+    assert_int_equal(board.windows, board.ends + 1);
+}
+
 static void a_broken_block_leaves_an_error_and_the_next_rectangle_is_drawn(void **state)
 {
     (void)state;
@@ -420,6 +456,7 @@ int main(void)
         DEVICE_TEST(every_format_is_converted_to_the_panels),
         DEVICE_TEST(bulk_that_no_rectangle_expects_is_dropped),
         DEVICE_TEST(after_too_little_bulk_the_next_rectangle_starts_at_its_beginning),
+        DEVICE_TEST(a_rectangle_for_which_nothing_comes_ends_and_one_that_is_slow_does_not),
         DEVICE_TEST(a_broken_block_leaves_an_error_and_the_next_rectangle_is_drawn),
         DEVICE_TEST(an_impossible_config_is_refused),
     };

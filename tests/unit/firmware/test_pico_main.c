@@ -241,6 +241,25 @@ static void draw_rectangle(void)
     gud_ops.end(&gud_panel, true);
 }
 
+/* Of a host that then sends no byte of it. */
+static void announce_rectangle(void)
+{
+    uint8_t mode[GUD_STATE_BYTES] = {0}, rectangle[GUD_RECTANGLE_BYTES], reply[GUD_REPLY_BYTES];
+    const struct gud_setup check = {GUD_TYPE_OUT, GUD_SET_STATE_CHECK, 0, USB_GUD, sizeof mode},
+                           commit = {GUD_TYPE_OUT, GUD_SET_STATE_COMMIT, 0, USB_GUD, 0},
+                           buffer = {GUD_TYPE_OUT, GUD_SET_BUFFER, 0, USB_GUD, sizeof rectangle};
+    gud_mode_pack(mode, &(struct gud_mode){.hdisplay = PANEL_WIDTH, .vdisplay = PANEL_HEIGHT});
+    mode[GUD_MODE_BYTES] = GUD_RGB565;
+    gud_rectangle_pack(rectangle, &(struct gud_rectangle){.width = 1, .height = 1, .length = 2});
+    assert_int_equal(gud_device_setup(&gud, &check, reply), sizeof mode);
+    assert_true(gud_device_set(&gud, &check, mode));
+    assert_int_equal(gud_device_setup(&gud, &commit, reply), 0);
+    assert_true(gud_device_set(&gud, &commit, NULL));
+    assert_int_equal(gud_device_setup(&gud, &buffer, reply), sizeof rectangle);
+    assert_true(gud_device_set(&gud, &buffer, rectangle));
+    picture = OTHERS;
+}
+
 /* For longer than the watchdog waits, one after the other and all in one poll: lines of one bit a pixel arrive faster than they are drawn. */
 static void draw_many_rectangles(void)
 {
@@ -258,6 +277,7 @@ static void send_scene(void)
     light.has_material = light.has_map = light.is_new = light.enabled;
 }
 
+enum { EVENTS = 13, EVENT_ANNOUNCED = EVENTS + 2 /* in scripts alone */ };
 static void happen(unsigned event)
 {
     switch (event) {
@@ -298,12 +318,15 @@ static void happen(unsigned event)
     case 12:
         draw_many_rectangles();
         return;
+    case EVENT_ANNOUNCED:
+        announce_rectangle();
+        return;
     default:
         is_suspended = false;
         gud_device_resume(&gud);
     }
 }
-enum { EVENTS = 13, QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
+enum { QUIET = 16 /* polls: the longest frame takes fewer */, POLL_US = 40000 };
 
 /* After polls in which nothing happens. */
 static void check_owner(void)
@@ -355,7 +378,7 @@ void usb_poll(void)
         return;
     if (owner != NOBODY || is_suspended) /* it has begun */
         check_owner();
-    for (; script && *script < EVENTS; script++)
+    for (; script && *script != EVENTS && *script != EVENTS + 1; script++)
         happen(*script);
     if (script && *script == EVENTS)
         script++;
@@ -422,6 +445,24 @@ static void a_host_that_draws_without_a_pause_does_not_starve_the_watchdog(void 
     assert_int_equal(owner, GUD_HOST);
 }
 
+static void a_program_that_was_killed_in_a_rectangle_keeps_no_light_away(void **unused)
+{
+    (void)unused;
+    static const unsigned killed[] = {0, 1, EVENT_ANNOUNCED, EVENTS, 5, EVENTS + 1},
+                          soon[] = {0, 1, EVENT_ANNOUNCED, EVENTS, EVENTS, EVENTS, 5, EVENTS + 1},
+                          later[] = {0,      1,      EVENT_ANNOUNCED, EVENTS, EVENTS, EVENTS,    EVENTS,
+                                     EVENTS, EVENTS, EVENTS,          EVENTS, 5,      EVENTS + 1};
+    const struct {
+        const unsigned *script;
+        enum owner owner;
+    } cases[] = {{killed, GUD_HOST}, {soon, GUD_HOST}, {later, LIGHT_HOST}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        script = cases[i].script;
+        run_main(12 * QUIET);
+        assert_int_equal(owner, cases[i].owner);
+    }
+}
+
 static void whatever_hosts_do_the_panel_is_its_owners(void **unused)
 {
     (void)unused;
@@ -449,6 +490,7 @@ int main(void)
         cmocka_unit_test(a_light_that_is_given_shows_the_demo_until_it_expires_and_gives_the_panel_back),
         cmocka_unit_test(the_panel_of_a_program_that_shades_is_dark_while_its_computer_sleeps),
         cmocka_unit_test(a_host_that_draws_without_a_pause_does_not_starve_the_watchdog),
+        cmocka_unit_test(a_program_that_was_killed_in_a_rectangle_keeps_no_light_away),
         cmocka_unit_test(whatever_hosts_do_the_panel_is_its_owners),
         cmocka_unit_test(a_light_that_a_wrong_map_cannot_show_keeps_no_host_away),
     };
