@@ -59,7 +59,7 @@ enum glint_err {
     GLINT_OK = 0,
     GLINT_ERR_ARG = -1,    /* NULL, or a number, size, stride or combination that is not allowed */
     GLINT_ERR_FORMAT = -2, /* no such format, space or dither, or one that this paint does not do */
-    GLINT_ERR_VECTOR = -3  /* a direction of length 0, a light straight behind, or a span out of range */
+    GLINT_ERR_VECTOR = -3  /* a direction of 0, a light straight behind, a viewer not in front, a span out of range */
 };
 
 /* ---- The lobe: how bright the highlight is ------------------------------------------------------------------- */
