@@ -83,7 +83,9 @@ HOST_INCLUDES = $(eval HOST_INCLUDES := $$(shell pkg-config --cflags $(HOST_LIBS
 HOST_FOUND = $(eval HOST_FOUND := $$(shell pkg-config --libs $(HOST_LIBS) $(READ_LIBS) $(SINK_LIBS) 2>/dev/null))$(HOST_FOUND)
 
 # What is built of what.
-LIB_OBJECTS = $(patsubst lib/%.c,$(BUILD)/lib/%.o,$(wildcard lib/*.c))
+# The assembly where the compiler is told to take it.
+LIB_ASSEMBLY = $(if $(filter -DGLINT_CORTEX_M0PLUS_ASM -DGLINT_CORTEX_M0PLUS_ASM=1,$(CC) $(CFLAGS)),$(wildcard lib/*.S))
+LIB_OBJECTS = $(patsubst lib/%,$(BUILD)/lib/%.o,$(basename $(wildcard lib/*.c) $(LIB_ASSEMBLY)))
 CORE_OBJECTS = $(patsubst firmware/core/%.c,$(BUILD)/firmware/core/%.o,$(wildcard firmware/core/*.c))
 HOST_SOURCES = $(filter-out $(LEFT_OUT),$(wildcard host/*.c host/*/*.c host/*/*/*.c))
 HOST_OBJECTS = $(HOST_SOURCES:host/%.c=$(BUILD)/host/%.o) $(CORE_OBJECTS)
@@ -108,6 +110,10 @@ $(BUILD)/libglint.a: $(LIB_OBJECTS) lib
 	rm -f $@ && $(AR) rcs $@ $(LIB_OBJECTS)
 
 $(BUILD)/lib/%.o: lib/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(LIB_CFLAGS) -c $< -o $@
+
+$(BUILD)/lib/%.o: lib/%.S $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CC) $(LIB_CFLAGS) -c $< -o $@
 
