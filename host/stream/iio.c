@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
- * The kernel's Documentation/ABI/testing/sysfs-bus-iio: in_accel_x_raw times in_accel_scale (or in_accel_x_scale) is m/s^2;
- * in_accel_mount_matrix or in_mount_matrix turns the sensor's axes into the device's: right, up and towards the viewer. */
+ * The kernel's Documentation/ABI/testing/sysfs-bus-iio: in_accel_x_raw plus in_accel_offset (or in_accel_x_offset), where there is one,
+ * times in_accel_scale (or in_accel_x_scale) is m/s^2; in_accel_mount_matrix or in_mount_matrix turns the sensor's axes into the device's:
+ * right, up and towards the viewer. */
 #include "stream/iio.h"
 
 #include <dirent.h>
@@ -23,7 +24,7 @@ enum { SAMPLES_A_FRAME = 4 };
 
 struct iio {
     char *folder; /* the device's */
-    double scale[3], mount[9];
+    double offset[3], scale[3], mount[9];
     struct tilt tilt;
 };
 
@@ -129,13 +130,26 @@ static bool find_device(struct iio *iio, const char *folder)
     return found;
 }
 
+/* An axis's own value, or that of all. */
+static bool read_either(const struct iio *iio, const char *own, const char *shared, double *value)
+{
+    return read_value(iio->folder, own, value, 1) || read_value(iio->folder, shared, value, 1);
+}
+
 static void read_scale(struct iio *iio)
 {
     const char *const names[] = {"in_accel_x_scale", "in_accel_y_scale", "in_accel_z_scale"};
     for (unsigned i = 0; i < 3; i++)
-        if (!read_value(iio->folder, names[i], &iio->scale[i], 1) &&
-            !read_value(iio->folder, "in_accel_scale", &iio->scale[i], 1))
+        if (!read_either(iio, names[i], "in_accel_scale", &iio->scale[i]))
             fail("%s: has no in_accel_scale: what its numbers mean is not known", iio->folder);
+}
+
+/* Most have none: then it is 0. */
+static void read_offset(struct iio *iio)
+{
+    const char *const names[] = {"in_accel_x_offset", "in_accel_y_offset", "in_accel_z_offset"};
+    for (unsigned i = 0; i < 3; i++)
+        (void)read_either(iio, names[i], "in_accel_offset", &iio->offset[i]);
 }
 
 static void read_mount(struct iio *iio)
@@ -157,6 +171,7 @@ struct iio *iio_open(const char *lights)
         fail("--lights %s: no accelerometer is in %s; where it is elsewhere: --lights iio:FOLDER", lights, folder);
     if (!iio->folder)
         fail("out of memory");
+    read_offset(iio);
     read_scale(iio);
     read_mount(iio);
     return iio;
@@ -174,7 +189,7 @@ void iio_light(struct iio *iio, double direction[3])
             if (stream_stopped())
                 return;
         }
-        g[i] *= iio->scale[i] / one_g;
+        g[i] = (g[i] + iio->offset[i]) * iio->scale[i] / one_g;
     }
     for (unsigned i = 0; i < 3; i++) {
         const double *row = &iio->mount[(size_t)3 * i], value = row[0] * g[0] + row[1] * g[1] + row[2] * g[2];

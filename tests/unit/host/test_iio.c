@@ -65,6 +65,20 @@ static void scales_of_each_axis_and_mount_matrices_count(void **state)
     assert_light("iio:tree", -.6, 0, .5);
 }
 
+/* A KXSD9 counts from 0; at rest its axes tell 2048. */
+static void an_offset_is_added_before_the_scale(void **state)
+{
+    (void)state;
+    make_tree();
+    put("iio:device2/in_accel_x_raw", "2048\n");
+    put("iio:device2/in_accel_y_raw", "2048\n");
+    put("iio:device2/in_accel_z_raw", "3048\n");
+    put("iio:device2/in_accel_offset", "-2048\n");
+    assert_light("iio:tree", 0, 0, 1);
+    put("iio:device2/in_accel_y_offset", "-1448\n");
+    assert_light("iio:tree", 0, .6, 1);
+}
+
 static void the_light_goes_where_a_tilt_takes_it(void **state)
 {
     (void)state;
@@ -146,6 +160,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_accelerometer_is_taken_or_the_one_that_is_named),
         cmocka_unit_test(scales_of_each_axis_and_mount_matrices_count),
+        cmocka_unit_test(an_offset_is_added_before_the_scale),
         cmocka_unit_test(the_light_goes_where_a_tilt_takes_it),
         cmocka_unit_test(a_stream_by_a_sensor_is_that_of_the_same_line_of_lights),
         cmocka_unit_test(what_is_no_accelerometer_is_refused),
