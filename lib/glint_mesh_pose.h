@@ -19,6 +19,17 @@ struct glint_mesh_place {
 struct glint_mesh_place glint_mesh_place_of(const struct glint_mesh_drawn *drawn, unsigned vertex);
 void glint_mesh_normal(struct glint_vec *normal, const struct glint_mesh *mesh, unsigned vertex);
 
+/* To Q1.15, within +-32767. */
+static inline int16_t glint_mesh_held(int32_t x)
+{
+    return (int16_t)(x > INT16_MAX ? INT16_MAX : x < -INT16_MAX ? -INT16_MAX : x);
+}
+/* A component of a direction of the mesh as the mesh is turned, of which row is a row: |sum| <= 3 2^29. */
+static inline int16_t glint_mesh_turned(const int16_t row[3], int32_t x, int32_t y, int32_t z)
+{
+    return glint_mesh_held((row[0] * x + row[1] * y + row[2] * z + 8192) >> 14);
+}
+
 /* What glint_mesh_corner calls a side, of two normals. */
 uint32_t glint_mesh_side(const struct glint_vec *a, const struct glint_vec *b);
 /* Of a face's three, the one opposite each corner. */

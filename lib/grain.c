@@ -2,7 +2,7 @@
  * Grain: m of each sample (step 2a of sequence.md), and lines drawn by F of t and m, under several lights, too. */
 #include "glint_grain.h"
 #include "glint_lights.h"
-#include "glint_mesh.h"
+#include "glint_mesh_pose.h"
 #include "glint_math.h"
 #include "glint_math_vector.h"
 
@@ -305,12 +305,8 @@ static __attribute__((noinline)) void grain_row_samples(const struct glint_paint
 static void grain_axis(struct grain_way *way, const int16_t axis[3], int16_t turn[3][3], const struct glint_vec *h)
 {
     int32_t u[3];
-    for (unsigned k = 0; k < 3; k++) {
-        const int32_t sum =
-            (int32_t)turn[k][0] * axis[0] + (int32_t)turn[k][1] * axis[1] + (int32_t)turn[k][2] * axis[2];
-        const int32_t nearest = (sum + 8192) >> 14;
-        u[k] = nearest > INT16_MAX ? INT16_MAX : nearest < -INT16_MAX ? -INT16_MAX : nearest;
-    }
+    for (unsigned k = 0; k < 3; k++)
+        u[k] = glint_mesh_turned(turn[k], axis[0], axis[1], axis[2]);
     way->x = u[0], way->y = u[1], way->z = u[2];
     way->h = h->x * u[0] + h->y * u[1] + h->z * u[2];
 }

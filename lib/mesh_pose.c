@@ -18,18 +18,13 @@ static bool pose_rotation(int32_t m_q30[3][3], const int16_t q[4])
     return true;
 }
 
-static int16_t pose_hold(int32_t x)
-{
-    return (int16_t)(x > INT16_MAX ? INT16_MAX : x < -INT16_MAX ? -INT16_MAX : x);
-}
-
 /* A direction back through the rotation, Q1.15, nearest. */
 static struct glint_vec pose_back(int32_t m_q30[3][3], const struct glint_vec *v)
 {
     int16_t out[3];
     for (int i = 0; i < 3; i++) {
         const int64_t sum = (int64_t)m_q30[0][i] * v->x + (int64_t)m_q30[1][i] * v->y + (int64_t)m_q30[2][i] * v->z;
-        out[i] = pose_hold((int32_t)((sum + ((int64_t)1 << 29)) >> 30));
+        out[i] = glint_mesh_held((int32_t)((sum + ((int64_t)1 << 29)) >> 30));
     }
     const struct glint_vec back = {out[0], out[1], out[2]};
     return back;

@@ -132,12 +132,7 @@ void glint_mesh_lit_begin(void *memory)
     ((struct mesh_lit *)memory)->lights.paint = NULL;
 }
 
-static int16_t lit_hold(int32_t x)
-{
-    return (int16_t)(x > INT16_MAX ? INT16_MAX : x < -INT16_MAX ? -INT16_MAX : x);
-}
-
-/* The corners' normals, turned as the mesh is: |sum| <= 3 2^29. */
+/* The corners' normals, turned as the mesh is. */
 ROWS_ALONE void lit_normals(struct glint_mesh_across *across, const struct glint_mesh_target *target,
                             const struct glint_mesh_triangle *triangle)
 {
@@ -152,11 +147,8 @@ ROWS_ALONE void lit_normals(struct glint_mesh_across *across, const struct glint
             n = corners.clipped[i]->normal;
         else
             glint_mesh_normal(&n, drawn->mesh, face[i]);
-        for (unsigned k = 0; k < 3; k++) {
-            const int16_t *row = drawn->turn[k];
-            turned[i][k] =
-                lit_hold(((int32_t)row[0] * n.x + (int32_t)row[1] * n.y + (int32_t)row[2] * n.z + 8192) >> 14);
-        }
+        for (unsigned k = 0; k < 3; k++)
+            turned[i][k] = glint_mesh_turned(drawn->turn[k], n.x, n.y, n.z);
     }
     glint_mesh_across_set(across, &corners, turned);
 }
