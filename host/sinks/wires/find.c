@@ -7,53 +7,23 @@
 #include <string.h>
 
 #include "base/message.h"
+#include "sinks/wires/chips.h"
 #include "sinks/wires/device.h"
 
 /* ---- chips ---- */
 
-struct chips {
-    struct gpio_chip **open; /* NULL where it could not be */
-    int *reasons;            /* the errno, where it could not */
-    char **names;
-    unsigned count;
-    char *denied; /* the path of one that may not be opened */
-};
-
-static struct chips chips_open(const struct gpio_line_wish *wish)
+static struct gpio_chips chips_open(const struct gpio_line_wish *wish)
 {
-    struct chips chips = {0};
-    chips.count = device_names("gpiochip", &chips.names);
+    struct gpio_chips chips = gpio_chips_open();
     if (chips.count == 0)
         fail("%s: %s=%s: no GPIO chip: this machine has no /dev/gpiochip0", wish->origin, wish->role, wish->text);
-    chips.open = calloc(chips.count, sizeof(struct gpio_chip *));
-    chips.reasons = calloc(chips.count, sizeof(int));
-    if (!chips.open || !chips.reasons)
-        fail("out of memory");
-    for (unsigned i = 0; i < chips.count; i++) {
-        char path[PATH_ROOM];
-        snprintf(path, sizeof path, "/dev/%s", chips.names[i]);
-        chips.open[i] = gpio_chip_open(path);
-        chips.reasons[i] = chips.open[i] ? 0 : errno;
-        if (chips.reasons[i] == EACCES && !chips.denied)
-            chips.denied = strdup(path);
-    }
     return chips;
 }
 
-/* All but `kept`. */
-static void chips_close(struct chips *chips, const struct gpio_chip *kept)
+static _Noreturn void fail_denied(const struct gpio_line_wish *wish, const char *name)
 {
-    for (unsigned i = 0; i < chips->count; i++)
-        if (chips->open[i] && chips->open[i] != kept)
-            gpio_chip_close(chips->open[i]);
-    free(chips->open);
-    free(chips->reasons);
-    device_names_free(chips->names, chips->count);
-    free(chips->denied);
-}
-
-static _Noreturn void fail_denied(const struct gpio_line_wish *wish, const char *path)
-{
+    char path[PATH_ROOM];
+    snprintf(path, sizeof path, "/dev/%s", name);
     fail("%s: %s=%s: %s: %s", wish->origin, wish->role, wish->text, path, device_permission(path));
 }
 
@@ -63,7 +33,7 @@ static bool is_number(const char *text)
 }
 
 /* By name, number, path or label. */
-static bool is_chip(const struct chips *chips, unsigned i, const char *text)
+static bool is_chip(const struct gpio_chips *chips, unsigned i, const char *text)
 {
     const char *name = chips->names[i], *file = strncmp(text, "/dev/", 5) == 0 ? text + 5 : text;
     return strcmp(file, name) == 0 || (is_number(text) && strcmp(text, name + strlen("gpiochip")) == 0) ||
@@ -71,7 +41,7 @@ static bool is_chip(const struct chips *chips, unsigned i, const char *text)
 }
 
 /* chips->count if there is none. */
-static unsigned chip_called(const struct chips *chips, const char *text)
+static unsigned chip_called(const struct gpio_chips *chips, const char *text)
 {
     unsigned i = 0;
     while (i < chips->count && !is_chip(chips, i, text))
@@ -79,16 +49,7 @@ static unsigned chip_called(const struct chips *chips, const char *text)
     return i;
 }
 
-/* A link in /dev to one before it, as Raspberry Pi OS has gpiochip4 for the Pi 5's gpiochip0. */
-static bool is_again(const struct chips *chips, unsigned i)
-{
-    for (unsigned k = 0; k < i && chips->open[i]; k++)
-        if (chips->open[k] && strcmp(gpio_chip_name(chips->open[k]), gpio_chip_name(chips->open[i])) == 0)
-            return true;
-    return false;
-}
-
-static _Noreturn void fail_chip(const struct chips *chips, const struct gpio_line_wish *wish, const char *text)
+static _Noreturn void fail_chip(const struct gpio_chips *chips, const struct gpio_line_wish *wish, const char *text)
 {
     char *known = NULL;
     size_t size;
@@ -138,7 +99,7 @@ struct search {
     char near[GPIO_NAME_MAX];
 };
 
-static void search_chip(const struct chips *chips, unsigned i, struct search *search)
+static void search_chip(const struct gpio_chips *chips, unsigned i, struct search *search)
 {
     for (unsigned offset = 0; chips->open[i] && offset < gpio_chip_lines(chips->open[i]); offset++) {
         struct gpio_line line;
@@ -160,11 +121,12 @@ static void search_chip(const struct chips *chips, unsigned i, struct search *se
     }
 }
 
-static _Noreturn void fail_name(const struct chips *chips, const struct gpio_line_wish *wish,
+static _Noreturn void fail_name(const struct gpio_chips *chips, const struct gpio_line_wish *wish,
                                 const struct search *search)
 {
-    if (chips->denied)
-        fail_denied(wish, chips->denied);
+    for (unsigned i = 0; i < chips->count; i++)
+        if (chips->reasons[i] == EACCES)
+            fail_denied(wish, chips->names[i]);
     if (is_number(search->name))
         fail("%s: %s=%s: no GPIO line has that name; if %s is an offset, name its chip: gpiochip0:%s, or --chip",
              wish->origin, wish->role, wish->text, search->name, search->name);
@@ -175,12 +137,12 @@ static _Noreturn void fail_name(const struct chips *chips, const struct gpio_lin
          wish->origin, wish->role, wish->text, search->name);
 }
 
-static struct gpio_found found_by_name(struct chips *chips, const struct gpio_line_wish *wish, const char *name,
+static struct gpio_found found_by_name(struct gpio_chips *chips, const struct gpio_line_wish *wish, const char *name,
                                        unsigned first, unsigned end)
 {
     struct search search = {.name = name, .apart = UINT32_MAX};
     for (unsigned i = first; i < end; i++)
-        if (i == first || !is_again(chips, i)) /* first: it may be the link that is asked for */
+        if (i == first || !gpio_chips_is_again(chips, i)) /* first: it may be the link that is asked for */
             search_chip(chips, i, &search);
     if (search.found == 0)
         fail_name(chips, wish, &search);
@@ -193,16 +155,14 @@ static struct gpio_found found_by_name(struct chips *chips, const struct gpio_li
 
 /* ---- lines ---- */
 
-static struct gpio_found found_on(struct chips *chips, const struct gpio_line_wish *wish, unsigned i, const char *text)
+static struct gpio_found found_on(struct gpio_chips *chips, const struct gpio_line_wish *wish, unsigned i,
+                                  const char *text)
 {
-    if (!chips->open[i]) {
-        char path[PATH_ROOM];
-        snprintf(path, sizeof path, "/dev/%s", chips->names[i]);
-        if (chips->reasons[i] == EACCES)
-            fail_denied(wish, path);
-        fail("%s: %s=%s: %s cannot be opened: %s", wish->origin, wish->role, wish->text, path,
+    if (!chips->open[i] && chips->reasons[i] == EACCES)
+        fail_denied(wish, chips->names[i]);
+    if (!chips->open[i])
+        fail("%s: %s=%s: /dev/%s cannot be opened: %s", wish->origin, wish->role, wish->text, chips->names[i],
              strerror(chips->reasons[i]));
-    }
     if (!is_number(text))
         return found_by_name(chips, wish, text, i, i + 1);
     const unsigned long offset = strtoul(text, NULL, 10);
@@ -215,7 +175,7 @@ static struct gpio_found found_on(struct chips *chips, const struct gpio_line_wi
 struct gpio_found gpio_find(const char *chip, const struct gpio_line_wish *wish)
 {
     const char *text = wish->text + (*wish->text == '!');
-    struct chips chips = chips_open(wish);
+    struct gpio_chips chips = chips_open(wish);
     const char *colon = strrchr(text, ':'); /* a path or label may hold one, too */
     char *before = colon ? strndup(text, (size_t)(colon - text)) : NULL;
     const unsigned named = before ? chip_called(&chips, before) : chips.count;
@@ -232,6 +192,6 @@ struct gpio_found gpio_find(const char *chip, const struct gpio_line_wish *wish)
     else
         found = found_by_name(&chips, wish, text, 0, chips.count);
     free(before);
-    chips_close(&chips, found.chip);
+    gpio_chips_close(&chips, found.chip);
     return found;
 }

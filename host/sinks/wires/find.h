@@ -6,8 +6,6 @@
 #include "sinks/wires/chip.h"
 #include "sinks/wires/lines.h"
 
-enum { PATH_ROOM = 300 };
-
 struct gpio_found {
     struct gpio_chip *chip; /* open, yours */
     unsigned offset;

@@ -8,7 +8,7 @@
 #include "base/json.h"
 #include "base/memory.h"
 #include "base/message.h"
-#include "sinks/wires/chip.h"
+#include "sinks/wires/chips.h"
 #include "sinks/wires/device.h"
 #include "sinks/wires/find.h"
 
@@ -166,41 +166,26 @@ static json_t *list_chip(struct gpio_chip *chip)
                      "lines", lines);
 }
 
-/* By another name in /dev. */
-static bool is_listed(const json_t *chips, const struct gpio_chip *chip)
+static json_t *list_closed(const char *name, int reason)
 {
-    size_t i;
-    json_t *other;
-    json_array_foreach(chips, i, other)
-    {
-        if (strcmp(json_string_value(json_object_get(other, "chip")), gpio_chip_name(chip)) == 0)
-            return true;
-    }
-    return false;
+    char path[PATH_ROOM];
+    snprintf(path, sizeof path, "/dev/%s", name);
+    char *why = reason == EACCES ? device_permission(path) : strdup(strerror(reason));
+    json_t *chip = json_pack("{s:s, s:s}", "chip", name, "error", why);
+    free(why);
+    return chip;
 }
 
 json_t *gpio_lines_list(void)
 {
-    json_t *chips = json_array();
-    char **names;
-    const unsigned count = device_names("gpiochip", &names);
-    for (unsigned i = 0; i < count; i++) {
-        char path[PATH_ROOM];
-        snprintf(path, sizeof path, "/dev/%s", names[i]);
-        struct gpio_chip *chip = gpio_chip_open(path);
-        if (chip) {
-            if (!is_listed(chips, chip))
-                json_array_append_new(chips, list_chip(chip));
-            gpio_chip_close(chip);
-        } else {
-            const int reason = errno;
-            char *why = reason == EACCES ? device_permission(path) : strdup(strerror(reason));
-            json_array_append_new(chips, json_pack("{s:s, s:s}", "chip", names[i], "error", why));
-            free(why);
-        }
-    }
-    device_names_free(names, count);
-    return chips;
+    json_t *list = json_array();
+    struct gpio_chips chips = gpio_chips_open();
+    for (unsigned i = 0; i < chips.count; i++)
+        if (!gpio_chips_is_again(&chips, i))
+            json_array_append_new(list, chips.open[i] ? list_chip(chips.open[i])
+                                                      : list_closed(chips.names[i], chips.reasons[i]));
+    gpio_chips_close(&chips, NULL);
+    return list;
 }
 
 static void print_text(FILE *stream, const char *before, const char *text, const char *after)
