@@ -21,6 +21,21 @@ static void another_programs_display_is_left_to_it(void **state)
     assert_exits(stream, 143);
 }
 
+/* As the display of a stream that waits for its return, which another program takes first. */
+static void wait_gives_another_program_a_moment_and_no_longer(void **state)
+{
+    (void)state;
+    char command[300];
+    honest();
+    usb_display_be(&display, &config);
+    const pid_t stream = start("exec " STREAM OURS);
+    assert_soon(display.seen->rectangles > 1);
+    assert_fails(STREAM OURS "--frames 1 --wait", "(1209:0001): another program uses it; end that first");
+    snprintf(command, sizeof command, "(sleep 1; kill %d) & " STREAM OURS "--frames 1 --wait", (int)stream);
+    assert_ends(command, 0, "");
+    assert_exits(stream, 143);
+}
+
 static void a_display_without_permission_is_told_apart_from_none(void **state)
 {
     (void)state;
@@ -254,6 +269,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(another_programs_display_is_left_to_it),
+        cmocka_unit_test(wait_gives_another_program_a_moment_and_no_longer),
         cmocka_unit_test(a_display_without_permission_is_told_apart_from_none),
         cmocka_unit_test(wait_gives_udev_a_moment_and_no_longer),
         cmocka_unit_test(the_kernels_display_is_taken_only_by_detach_and_given_back),

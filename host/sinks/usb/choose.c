@@ -72,9 +72,9 @@ enum usb_attempt usb_unusable(const struct usb_device *device, char *line, size_
         snprintf(line, size, "%s: %s", name, device->problem.text);
         break;
     }
-    return device->state == USB_DENIED     ? USB_TRY_DENIED
-           : device->state == USB_VANISHED ? USB_TRY_AGAIN
-                                           : USB_TRY_NO_GOOD;
+    return device->state == USB_DENIED || device->state == USB_IN_USE ? USB_TRY_SOON
+           : device->state == USB_VANISHED                            ? USB_TRY_AGAIN
+                                                                      : USB_TRY_NO_GOOD;
 }
 
 const struct usb_device *usb_choose(const struct usb_found *found, const struct usb_options *options, char *line,
@@ -115,10 +115,10 @@ void usb_remember(const struct usb_device *device)
         usb_options.serial = strcpy(serial, device->serial);
 }
 
-bool usb_may_pass(enum usb_attempt attempt, unsigned *denied)
+bool usb_may_pass(enum usb_attempt attempt, unsigned *moments)
 {
-    enum { DENIED_TRIES = 8 };
+    enum { SOON_TRIES = 8 };
     if (attempt == USB_TRY_AGAIN) /* what comes back begins anew */
-        *denied = 0;
-    return attempt == USB_TRY_AGAIN || (attempt == USB_TRY_DENIED && ++*denied < DENIED_TRIES);
+        *moments = 0;
+    return attempt == USB_TRY_AGAIN || (attempt == USB_TRY_SOON && ++*moments < SOON_TRIES);
 }

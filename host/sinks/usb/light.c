@@ -179,10 +179,10 @@ static struct sink *open_shader(const struct sink_wish *wish)
     char line[400];
     enum usb_attempt attempt;
     struct light_sink *light;
-    for (unsigned denied = 0; !(light = try_open(wish, line, sizeof line, &attempt));) {
+    for (unsigned moments = 0; !(light = try_open(wish, line, sizeof line, &attempt));) {
         if (stream_stopped())
             return NULL;
-        if (!usb_options.wait || !usb_may_pass(attempt, &denied))
+        if (!usb_options.wait || !usb_may_pass(attempt, &moments))
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
         usb_pause_ms(WAIT_MS);

@@ -89,7 +89,7 @@ static enum usb_attempt connect_display(struct usb_sink *usb, const struct usb_d
     }
     usb->gone = problem.fault == GUD_LINK_GONE;
     snprintf(line, size, "%s: %s", name, problem.text);
-    return usb->gone ? USB_TRY_AGAIN : USB_TRY_NO_GOOD;
+    return usb->gone ? USB_TRY_AGAIN : opened == USB_OPEN_IN_USE ? USB_TRY_SOON : USB_TRY_NO_GOOD;
 }
 
 /* ---- the sink's functions ---- */
@@ -134,13 +134,13 @@ static struct sink *usb_open(const struct sink_wish *wish)
 {
     char line[400];
     struct usb_sink *usb = NULL;
-    for (unsigned denied = 0;;) {
+    for (unsigned moments = 0;;) {
         const enum usb_attempt attempt = try_open(wish, &usb, line, sizeof line);
         if (attempt == USB_TRY_OPENED)
             break;
         if (stream_stopped())
             return NULL;
-        if (!usb_options.wait || !usb_may_pass(attempt, &denied))
+        if (!usb_options.wait || !usb_may_pass(attempt, &moments))
             fail("%s", line);
         progress("waiting for a USB display; Ctrl-C ends it");
         usb_pause_ms(WAIT_MS);
