@@ -3,8 +3,10 @@
 
 #include <errno.h>
 #include <math.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "base/memory.h"
 #include "base/message.h"
@@ -79,11 +81,15 @@ static void set_circle(struct light_path *path, const struct lamp *lamp, uint32_
     memcpy(path->along, (double[3]){y, -x, 0}, sizeof path->along); /* lines go down: the same sense as above */
 }
 
+/* What may keep us waiting is not read ahead, so that poll() knows all that there is. */
 static FILE *open_lines(const char *name)
 {
+    struct stat status;
     FILE *file = strcmp(name, "-") == 0 ? stdin : fopen(name, "r");
     if (!file)
         fail("%s: cannot be read: %s", name, strerror(errno));
+    if (fstat(fileno(file), &status) == 0 && !S_ISREG(status.st_mode))
+        setvbuf(file, NULL, _IONBF, 0);
     return file;
 }
 
@@ -198,6 +204,13 @@ static bool next_tilt(struct light_path *path, struct shading *shading)
 }
 
 /* ---- */
+
+bool light_path_is_ready(const struct light_path *path, int ms)
+{
+    struct pollfd lines = {.fd = path->file ? fileno(path->file) : -1, .events = POLLIN};
+    const int ready = lines.fd < 0 ? 1 : poll(&lines, 1, ms);
+    return ready > 0 || (ready < 0 && errno != EINTR) || stream_stopped();
+}
 
 bool light_path_next(struct light_path *path, double seconds, struct shading *shading)
 {

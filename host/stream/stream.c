@@ -160,7 +160,7 @@ static void end(struct stream *stream)
 }
 
 /* To a device that shades: the scene if it does not have it yet and shows not its own, and the light, or the mesh's pose. */
-static bool send_light(struct stream *stream, double seconds)
+static bool send_light(struct stream *stream, double seconds, bool is_new)
 {
     struct plan_result result;
     for (;;) {
@@ -175,7 +175,8 @@ static bool send_light(struct stream *stream, double seconds)
                                 : device_send_light(open_sink, &stream->shading, &result);
         if (sent == SINK_SENT) {
             stream->known = true;
-            stats_add(stream->stats, &result);
+            if (is_new)
+                stats_add(stream->stats, &result);
             return true;
         }
         if (sent == SINK_INTERRUPTED || !find_again(stream))
@@ -193,25 +194,14 @@ static struct plan_result to_send(const struct stream *stream, const uint8_t *la
     return plan_little(stream->plan, frame);
 }
 
-/* Frame `index`; false where it is the end. */
-static bool send_frame(struct stream *stream, unsigned long index)
+/* A frame after the one with the pixels `before`, if the sink shows that. */
+static bool send_pixels(struct stream *stream, const uint8_t *before, const uint8_t *pixels, bool is_new)
 {
-    const double fps = stream->options->fps > 0 ? stream->options->fps : USUAL_FPS;
-    if (stream_stopped() || !light_path_next(stream->path, (double)index / fps, &stream->shading) || stream_stopped())
-        return false;
-    if (stream->options->shade_device)
-        return send_light(stream, (double)index / fps);
-    uint8_t *pixels = stream->pixels[index % 2];
-    if (stream->mesh)
-        mesh_stream_draw(stream->mesh, (double)index / fps, &stream->shading, pixels);
-    else
-        canvas_draw(stream->canvas, &stream->shading, pixels);
     for (;;) {
         struct sink *sink = open_sink;
         const struct frame frame = {sink->width, sink->height, sink->format,
                                     format_line_bytes(sink->format, sink->width), pixels};
-        const uint8_t *last = stream->known ? stream->pixels[(index + 1) % 2] : NULL;
-        const struct plan_result result = to_send(stream, last, &frame);
+        const struct plan_result result = to_send(stream, stream->known ? before : NULL, &frame);
         enum sink_result sent = SINK_SENT;
         if (result.count)
             stream->sent = seconds_now();
@@ -219,12 +209,51 @@ static bool send_frame(struct stream *stream, unsigned long index)
             sent = sink->kind->pixels.send(sink, &frame, result.pieces, result.count);
         if (sent == SINK_SENT) {
             stream->known = true;
-            stats_add(stream->stats, &result);
+            if (is_new)
+                stats_add(stream->stats, &result);
             return true;
         }
         if (sent == SINK_INTERRUPTED || !find_again(stream))
             return false;
     }
+}
+
+static double seconds_of(const struct stream *stream, unsigned long index)
+{
+    return (double)index / (stream->options->fps > 0 ? stream->options->fps : USUAL_FPS);
+}
+
+/* Until the light of frame `index` is there. Meanwhile the frame before is sent again, once a second, where nothing else tells that the display is
+ * gone; the light of a board's own picture is not, which is to expire. */
+static bool wait_for_light(struct stream *stream, unsigned long index)
+{
+    enum { AGAIN_MS = 1000 };
+    const uint8_t *shown = stream->pixels[(index + 1) % 2];
+    while (!light_path_is_ready(stream->path, AGAIN_MS)) {
+        if (!stream->known || !open_sink->kind->may_go || stream->options->shade_demo)
+            continue;
+        if (!(stream->options->shade_device ? send_light(stream, seconds_of(stream, index - 1), false)
+                                            : send_pixels(stream, shown, shown, false)))
+            return false;
+    }
+    return true;
+}
+
+/* Frame `index`; false where it is the end. */
+static bool send_frame(struct stream *stream, unsigned long index)
+{
+    const double seconds = seconds_of(stream, index);
+    if (stream_stopped() || !wait_for_light(stream, index) ||
+        !light_path_next(stream->path, seconds, &stream->shading) || stream_stopped())
+        return false;
+    if (stream->options->shade_device)
+        return send_light(stream, seconds, true);
+    uint8_t *pixels = stream->pixels[index % 2];
+    if (stream->mesh)
+        mesh_stream_draw(stream->mesh, seconds, &stream->shading, pixels);
+    else
+        canvas_draw(stream->canvas, &stream->shading, pixels);
+    return send_pixels(stream, stream->pixels[(index + 1) % 2], pixels, true);
 }
 
 static void run(struct stream *stream)

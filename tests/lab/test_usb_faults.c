@@ -3,10 +3,12 @@
 #include "light_protocol.h"
 #include "usb_run.h"
 
+#include <errno.h>
 #include <fcntl.h>
 #include <linux/usbdevice_fs.h>
 #include <signal.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 
 /* ---- data that fails ---- */
 
@@ -258,6 +260,39 @@ static void a_picture_that_stands_still_ends_with_a_display_that_is_unplugged(vo
     assert_contains(text, "unplugged; start again when it is back, or use --wait");
 }
 
+/* Its lights come by a pipe, and no more of them. */
+static void a_display_that_is_unplugged_while_no_light_comes_is_noticed(void **state)
+{
+    (void)state;
+    honest();
+    usb_display_be(&display, &config);
+    assert_true(mkfifo("lights", 0600) == 0 || errno == EEXIST);
+    const int lights = open("lights", O_RDWR | O_CLOEXEC);
+    assert_true(lights >= 0);
+    assert_int_equal(write(lights, "0 0 1\n", 6), 6);
+    pid_t stream = start("exec " STREAM OURS "--lights lights --wait");
+    assert_soon(display.seen->rectangles > 0);
+    usb_display_unplug(&display);
+    usb_display_be(&display, &config);
+    assert_soon(display.seen->display && display.seen->bulk_bytes > 0);
+    assert_int_equal(write(lights, "0 0 1\n", 6), 6); /* the stream goes on, with the picture as it was */
+    kill(stream, SIGINT);
+    assert_exits(stream, 130);
+    assert_last_frame_of("--period 0 --light 0,0,1 --frames 1");
+    honest();
+    usb_display_be(&display, &config);
+    assert_int_equal(write(lights, "0 0 1\n", 6), 6);
+    stream = start("exec " STREAM OURS "--lights lights");
+    assert_soon(display.seen->rectangles > 0);
+    usb_display_unplug(&display);
+    assert_exits(stream, 1);
+    char text[1000];
+    read_text("stream.err", text, sizeof text);
+    assert_one_line(text);
+    assert_contains(text, "unplugged; start again when it is back, or use --wait");
+    close(lights);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -277,6 +312,7 @@ int main(void)
         cmocka_unit_test(a_picture_that_stands_still_returns_with_its_display),
         cmocka_unit_test(a_picture_that_stands_still_is_whole_again_after_a_reset),
         cmocka_unit_test(a_picture_that_stands_still_ends_with_a_display_that_is_unplugged),
+        cmocka_unit_test(a_display_that_is_unplugged_while_no_light_comes_is_noticed),
     };
     return cmocka_run_group_tests_name("usb faults", tests, scratch_make, clean);
 }
