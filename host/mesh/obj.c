@@ -125,10 +125,15 @@ static bool take_face(struct obj *obj, char *rest)
     return true;
 }
 
-/* One name, which may hold blanks, or several; where none can be read it was one. */
+/* One name, which may hold blanks, or several; where none can be read it was one. A file may be named thousands of times. */
 static void take_libraries(struct obj *obj, const struct obj_source *source, const char *names)
 {
+    enum { MOST_MB = 64 };
     const char *missing = NULL;
+    if (obj->materials.bytes >> 20 >= MOST_MB) {
+        source->note("names more than 64 MB of materials; what comes then is left out");
+        return;
+    }
     bool found = source->library(&obj->materials, names);
     char *copy = found ? NULL : strdup(names), *at = copy;
     for (const char *name; at && (name = lines_word(&at));) {

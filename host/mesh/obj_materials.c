@@ -75,16 +75,17 @@ static void take_highlight(struct mesh_material *look, const double parts[3])
 static char *take_numbers(char *at, float numbers[3])
 {
     for (int k = 0; k < 3; k++) {
-        char *copy = copy_of(at), *in_copy = copy;
+        char *end = at, *stop = at + strspn(at, " \t\v\f");
+        stop += strcspn(stop, " \t\v\f");
+        const char blank = *stop; /* which becomes 0 */
         float number;
-        const char *word = lines_word(&in_copy);
-        const bool good = word && lines_number(word, &number) && !isnan(number);
-        if (good)
-            numbers[k] = number;
-        at += good ? in_copy - copy : 0;
-        free(copy);
-        if (!good)
+        const char *word = lines_word(&end);
+        if (!word || !lines_number(word, &number) || isnan(number)) {
+            *stop = blank;
             break;
+        }
+        numbers[k] = number;
+        at = end;
     }
     return at;
 }
@@ -152,6 +153,7 @@ void obj_materials_read(struct obj_materials *materials, const char *text, size_
     struct obj_material *now = NULL;
     char *rest;
     double parts[3];
+    materials->bytes += len;
     lines_begin(&lines, text, len);
     while (lines_next(&lines)) {
         if (lines_begins(&lines, "newmtl", &rest)) {

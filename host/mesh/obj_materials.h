@@ -15,6 +15,7 @@ struct obj_material {
 };
 struct obj_materials {
     unsigned count, room, part_count;
+    size_t bytes; /* of the MTLs that were read */
     struct obj_material *of;
     void (*note)(const char *text); /* what is left out, as the end of a message */
 };

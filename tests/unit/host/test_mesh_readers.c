@@ -386,6 +386,24 @@ static void an_mtls_picture_is_scaled_and_moved_and_other_options_are_said(void 
     }
 }
 
+/* Of both, 20 seconds of a processor are not enough where each is read to its end again. */
+static void an_mtl_of_many_options_or_named_many_times_is_read_soon(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "echo 'v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3' >triangle.obj && "
+        "{ printf 'newmtl a\nKd .1 .9 .1\nmap_Kd'; yes ' -s 1 1 1' | head -n 400000 | tr -d '\n'; } >long.mtl && "
+        "{ echo newmtl a; yes Kd .1 .9 .1 | head -n 80000; } >often.mtl && "
+        "{ echo mtllib long.mtl; cat triangle.obj; } >long.obj && "
+        "{ yes mtllib often.mtl | head -n 20000; cat triangle.obj; } >often.obj && "
+        "ulimit -t 20 && $GLINT render --mesh long.obj --size 9x9 -o long.ppm");
+    const struct run *result = run("ulimit -t 20 && $GLINT render --mesh often.obj --size 9x9 -o often.ppm");
+    assert_string_equal(result->err,
+                        "glint: often.obj: names more than 64 MB of materials; what comes then is left out\n");
+    assert_int_equal(result->status, 0);
+    assert_same_file("long.ppm", "often.ppm");
+}
+
 static void colours_of_an_objs_vertices_go_to_1_or_to_255(void **state)
 {
     (void)state;
@@ -534,6 +552,7 @@ int main(void)
         cmocka_unit_test(a_mark_of_utf_8_may_stand_before_a_mesh),
         cmocka_unit_test(an_obj_has_the_materials_of_each_file_that_is_there_and_a_line_for_others),
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
+        cmocka_unit_test(an_mtl_of_many_options_or_named_many_times_is_read_soon),
         cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
         cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
         cmocka_unit_test(corners_without_normals_take_none_from_others),
