@@ -270,6 +270,22 @@ run([
         equal(warnings('--roughness=1', '--specular=.3').length, 1, 'warnings with another highlight')
         equal(warnings('--roughness=.5', '--specular=.3').length, 0, 'warnings of what is in range')
     }],
+    ['what a file says many times is said once, and of what it says in thousands of ways the first ones', () => {
+        const engine = new Engine(program), text = lines => new Uint8Array(Buffer.from(lines.join('\n') + '\n')), shape = ['v 0 0 0', 'v 1 0 0', 'v 0 1 0', 'f 1 2 3']
+        const said = (mtl, ...lines) => {
+            engine.addMesh('a.obj', together([{ name: 'a.obj', bytes: text([...lines, ...shape]) }, { name: 'a.mtl', bytes: text(mtl) }]))
+            return engine.draw(['--mesh=a.obj', '--size=9x9']).warnings
+        }
+        equal(said(Array.from({ length: 50 }, (_, i) => `newmtl m${i}\nmap_Kd -t 1 a.png`), 'mtllib a.mtl').join(), 'a.obj: the option -t of a map_Kd is left out,a.obj: names a.png, which is not here: drop or choose it together with the mesh', 'one option')
+        const many = said(['newmtl a'], ...Array.from({ length: 5000 }, (_, i) => `mtllib ${i}/a.mtl`))
+        check(many.length < 100 && / more of these$/.test(many.at(-1)), `${many.length} lines, at last ${many.at(-1)}`)
+    }],
+    ['an OBJ whose first line tells of thousands of files is an OBJ with a comment', () => {
+        const engine = new Engine(program), body = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n', list = JSON.stringify([['a.obj', body.length], ...Array.from({ length: 200000 }, (_, i) => [`${i}`, 0])])
+        engine.addMesh('a.obj', new Uint8Array(Buffer.from(`#glint ${list}\n${body}`)))
+        check(!engine.meshes.has('a.obj/1'), 'each is a file')
+        check(engine.draw(['--mesh=a.obj', '--size=9x9']).width === 9, 'it is not drawn')
+    }],
     ['a link brings no control characters into a command', () => {
         const line = commandLine('glint render', wordsOf(stateOfFragment('height=a%15%0Aid%0A%7f.png')))
         check(!/[\0-\x1f\x7f]/.test(line), JSON.stringify(line))

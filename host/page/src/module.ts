@@ -52,11 +52,11 @@ export class Module {
         return new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at)))
     }
 
-    /** What was said since the last time, a line each. */
+    /** What was said since the last time, a line each, once; of a file that makes thousands the first ones. */
     takeWarnings(): string[] {
-        const lines = this.said.split('\n').filter(line => line)
+        const lines = [...new Set(this.said.split('\n').filter(line => line))], most = 40
         this.said = ''
-        return lines.map(plain)
+        return [...lines.slice(0, most).map(plain), ...lines.length > most ? [`and ${lines.length - most} more of these`] : []]
     }
 
     takePrinted(): string {

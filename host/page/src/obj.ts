@@ -3,7 +3,7 @@
 // names and lengths.
 
 export interface Part { name: string, bytes: Uint8Array<ArrayBuffer> }
-const mark = '#glint '
+const mark = '#glint ', partsMost = 1 << 13 // more than an OBJ can name with as many materials as the command takes
 
 export const isObj = (name: string) => /\.obj$/i.test(name)
 
@@ -27,7 +27,7 @@ export function apart(name: string, file: Uint8Array<ArrayBuffer>): Part[] {
         try {
             let at = end + 1
             const list = JSON.parse(line.slice(mark.length)) as [unknown, number][]
-            if (list.length && list.every(([, length]) => Number.isInteger(length) && length >= 0) && list.reduce((sum, [, length]) => sum + length, at) === file.length)
+            if (list.length && list.length <= partsMost && list.every(([, length]) => Number.isInteger(length) && length >= 0) && list.reduce((sum, [, length]) => sum + length, at) === file.length)
                 return list.map(([of, length]) => ({ name: String(of), bytes: file.slice(at, at += length) }))
         } catch { /* a comment of its own */ }
     return [{ name, bytes: file }]
