@@ -178,13 +178,18 @@ run([
         await forced('none')
         await session.detach()
     }]], // puppeteer cannot tell Firefox so
-    ['an address with ?embed shows the stage alone', async () => {
+    ['an address with ?embed shows the stage alone, and why the picture is another one', async () => {
         await page.goto('about:blank')
         await page.goto(`${browser.url}?embed#${start}`)
         await browser.until(() => document.body.dataset.drawn !== undefined)
         await shownIsDrawn()
         const seen = await page.evaluate(() => ['header', '.tools', '.bar', '.stage'].map(of => document.querySelector(of).checkVisibility()).join())
         equal(seen, 'false,false,false,true', 'what is seen')
+        await page.evaluate(() => { location.hash = 'height=none.png' })
+        await browser.until(() => document.getElementById('refusal').checkVisibility())
+        const [below, text] = await page.evaluate(() => [document.getElementById('refusal').getBoundingClientRect(), document.getElementById('stage').getBoundingClientRect()].map(({ top, bottom, width }) => [top, bottom, width, innerWidth, innerHeight])).then(([said, stage]) => [said[0] >= stage[1] - 1 && said[1] <= said[4] && said[2] > .9 * said[3] && stage[1] > 200, JSON.stringify([said, stage])])
+        check(below, `it stands at ${text}`)
+        check((await browser.text('refusal')).startsWith('none.png: this map is not here'), await browser.text('refusal'))
     }],
     ['on phones, laptops and large screens, light and dark, axe finds nothing in any group', async () => {
         const axe = readFileSync(`${packages}/node_modules/axe-core/axe.min.js`, 'utf8')
