@@ -231,6 +231,11 @@ run([
         await page.click('#undo')
         equal((await shownIsDrawn()).join(' '), wordsOf(stateOfFragment(start)).join(' '), 'undone')
     }],
+    ['a file that an option beside it refuses is named', async () => {
+        await browser.go('scene=teapot&size=40x40')
+        await browser.drop({ 'gloss.png': extras['gloss.png'] })
+        await browser.until(() => /^gloss\.png: --gloss/.test(document.getElementById('refusal').textContent))
+    }],
     ['what is refused of a drop is said when the rest is taken; of two drops at once the second counts', async () => {
         const tooSmall = png({ width: 9, height: 9, type: 0, depth: 8, sample: () => 200 })
         await browser.go(start)

@@ -45,6 +45,8 @@ async function take(file: File, kind: Kind, named: File[] = []): Promise<string>
     }
     if (refusal === stopped)
         refusal = `${name}: stopped before it was drawn; drop or choose it again`
+    else if (refusal.startsWith('--')) // an option
+        refusal = `${name}: ${refusal}`
     if (!refusal) {
         const isKept = await keepFile(name)
         document.body.dataset.kept = name
