@@ -196,6 +196,15 @@ run([
             equal(await page.evaluate(() => globalThis.copied), expected, id)
         }
     }],
+    ['what is set just before the page is loaded again is there then', async () => {
+        await browser.go(start)
+        await frames(40) // it is some time since the address was written
+        await browser.set('control-n', '77')
+        await page.evaluate(() => new Promise(resolve => setTimeout(resolve)))
+        await page.reload()
+        await browser.until(() => document.body.dataset.drawn !== undefined)
+        check((await shownIsDrawn()).includes('-n77'), 'it is lost')
+    }],
     ['an address that is refused shows why over a working scene, and every control leads out of it', async () => {
         for (const [hash, sentence] of [['scene=coins&n=5000', '--scene: unknown scene \'coins\''], ['scene=knob&light=a,b', '--light: \'a,b\' is not'], ['n=60', 'no surface; give --height']]) {
             await browser.go(hash)
@@ -536,6 +545,9 @@ run([
         await browser.until(() => !document.getElementById('busy').hidden)
         await page.evaluate(() => globalThis.workers.at(-1).dispatchEvent(new ErrorEvent('error', { message: 'no memory', cancelable: true })))
         await browser.until(() => document.getElementById('refusal').textContent === 'the page failed (no memory); a smaller --size may help')
+        await browser.tab('expert')
+        await browser.until(() => document.querySelectorAll('#errors tr').length > 0) // of the last good picture, which that one has, too
+        await browser.tab('scene')
         await browser.set('control-n', '9')
         check((await shownIsDrawn()).includes('-n9'), 'nothing is drawn after that')
         const { identifier } = await page.evaluateOnNewDocument(() => {

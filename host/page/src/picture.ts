@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The picture: drawn by the worker, the latest state first; what takes long can be stopped.
-import { ask, stop, stopped, Stopped, waits } from './client'
+import { ask, stop, stopped, Stopped, waits, workersSoFar } from './client'
 import { byId, show } from './dom'
 import type { Facts } from './engine'
 import { forgetOld, missingOf } from './kept'
@@ -70,6 +70,7 @@ function answer(all: typeof waiting): void {
 }
 
 async function draw(now: State): Promise<void> {
+    const workers = workersSoFar()
     failure = undefined
     try {
         const missing = await missingOf(now), seen = await view(missing.length ? without(now, missing) : now)
@@ -86,8 +87,9 @@ async function draw(now: State): Promise<void> {
             throw error
         failure = error as Error
         print(failure.message)
-        const inPlace = !drawn && now !== start && await ask('draw', wordsOf(start)).catch(() => undefined) // there is no last good picture
-        if (inPlace)
+        const hasNone = drawn ? workersSoFar() !== workers : now !== start // no last good picture: there is none, or the worker failed
+        const inPlace = hasNone && await ask('draw', wordsOf(drawn?.state ?? start)).catch(() => undefined)
+        if (inPlace && !drawn)
             put({ ...inPlace, state: start, asked: start, standsIn: failure.message })
     }
 }

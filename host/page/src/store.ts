@@ -9,7 +9,7 @@ let state = ofHash(location.hash)
 let undone: State[] = [], done: State[] = []
 /** Changes of one kind in quick succession are one step to undo. */
 let lastKind = '', lastTime = 0
-let toWrite: number | undefined
+let toWrite: number | undefined, wrote = -Infinity
 const listeners: (() => void)[] = []
 
 export function current(): State {
@@ -24,12 +24,13 @@ function tell(): void {
     listeners.forEach(listener => listener())
 }
 
-/** Not at once: browsers limit how often. While a light circles, too. */
+/** Browsers limit how often. While a light circles, too. */
 function writeFragment(): void {
     toWrite ??= window.setTimeout(() => {
         toWrite = undefined
+        wrote = performance.now()
         history.replaceState(null, '', '#' + fragmentOf(state))
-    }, 350)
+    }, Math.max(0, wrote + 350 - performance.now()))
 }
 
 function cleared(next: State): State {
