@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// test_conformance.mjs PACKAGES FOLDER EXPECTED: the image FOLDER/conformance.uf2 in the emulator, as far as its first checks,
+// test_conformance.mjs PACKAGES FOLDER EXPECTED [both]: the image FOLDER/conformance.uf2 in the emulator, as far as its first checks,
 // against the host's hashes in the header EXPECTED. (All of it takes minutes here; tier targets runs all checks on this core.)
+// both: one that was built with SECOND_CORE=1, as far as its frame rate; that core is a model of ours (second_core.mjs).
 import { readFileSync } from 'node:fs'
 import { Pico } from './pico.mjs'
 import { check, equal, run } from './tap.mjs'
 
-const [packages, folder, expected] = process.argv.slice(2)
+const [packages, folder, expected, both] = process.argv.slice(2)
 const list = [...readFileSync(expected, 'utf8').matchAll(/0x([0-9a-f]{16})\), \/\* (.*) \*\//g)]
 const wanted = list.map((match) => match[1])
 const tables = list.findIndex((match) => match[2].startsWith('colour-')) // 20 KB of them, and what follows: too slow here
@@ -21,6 +22,7 @@ halves.set([0x2031, 0x4770], 0x20 / 2)
 halves[0x30 / 2] = 0x4770
 pico.chip.loadBootrom(rom)
 pico.load(`${folder}/conformance.uf2`)
+if (both) pico.with_second_core()
 
 run([
   ['the report begins with what is tested, and with the frame rate', () => {
@@ -33,10 +35,12 @@ run([
   ['the D/C line and the panel are served as by the display itself', () => {
     equal(pico.wires.faults.length, 0, `faults, the first: ${pico.wires.faults[0]}`)
   }],
-  [`the first ${CHECKS} checks give the results of the host`, () => {
+  ...both ? [['both cores shade for that rate', () => {
+    check(pico.second.running, 'the second core is not launched')
+  }]] : [[`the first ${CHECKS} checks give the results of the host`, () => {
     check(CHECKS > 0 && CHECKS <= list.length, `the header has no such check: ${CHECKS} of ${list.length}`)
     const lines = () => [...pico.uart.matchAll(/^(not )?ok (\d+) - .*: ([0-9a-f]{16})(?=.*\r\n)/mg)]
     check(pico.run(() => lines().length >= CHECKS, 600000), `the UART has only: ${pico.uart}`)
     for (const [line, not, number, hash] of lines()) check(!not && hash === wanted[number - 1], line)
-  }],
+  }]],
 ], () => console.log(`# ${pico.uart.match(/relit.*/)?.[0]} (emulated)`))

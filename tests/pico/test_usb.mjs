@@ -220,6 +220,17 @@ run([
     screen = look()
     draws(whole, picture565(width, height, 50), undefined, 'the frame')
   }],
+  ['a host that sets the same configuration once more begins anew, with the first packet', () => {
+    for (const [i, packets] of [3, 2, 1].entries()) {
+      check(gud.buffer({ ...whole, length: 2 * width * height }), 'the rectangle')
+      host.bulk(1, Buffer.alloc(64 * packets, 0x55))
+      check(host.configure(1), 'SET_CONFIGURATION is refused')
+      check(pico.run(() => pico.uart.endsWith('relighting\r\n'), 200), pico.uart)
+      check(gud.begin(FORMAT.rgb565), `refused with status ${gud.status()}`)
+      screen = look()
+      draws({ x: 10 + i, y: 80, width: 32, height: packets }, picture565(32, packets, 80 + i), undefined, `${packets} packets`)
+    }
+  }],
   ['whatever happened, D/C never changed while a byte was sent', () => {
     equal(pico.wires.faults.length, 0, `faults, the first: ${pico.wires.faults[0]}`)
   }],

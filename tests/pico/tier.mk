@@ -29,7 +29,7 @@ test-pico: ## check: the Pico's firmware emulated: boot, panel, the demo's frame
 pico-images: $(BUILD)/glint $(PICO_MESH_TESTED) $(BUILD)/bin2uf2 $(CONFORMANCE_EXPECTED)
 	@firmware/ports/pico/fetch-sdk >/dev/null
 	@+printf '%s\n' $(PICO_BUILT) | tr + ' ' | CCACHE_BASEDIR="$(CURDIR)" xargs -P 2 -L 1 $(SUBMAKE) -s firmware-pico
-	@+CCACHE_BASEDIR="$(CURDIR)" $(SUBMAKE) -s firmware-pico IMAGE=conformance
+	@+CCACHE_BASEDIR="$(CURDIR)" $(SUBMAKE) -s firmware-pico IMAGE=conformance && CCACHE_BASEDIR="$(CURDIR)" $(SUBMAKE) -s firmware-pico IMAGE=conformance SECOND_CORE=1
 
 # What takes longest goes first. LAB_*: as in tier lab.
 run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
@@ -51,6 +51,7 @@ run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $
 		$(foreach panel,$(call pico_panel_of,$(PICO_AMOLED_TESTED)) $(PICO_AMOLED_WHOLE),"node tests/pico/test_amoled.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(panel) $(panel) $(BUILD)/tests/pico/judge") \
 		"node tests/pico/test_teapot.mjs $(BENCH_NPM) build/firmware/$(PICO_AMOLED_TESTED)-$(PICO_AMOLED_WHOLE)-teapot $(PICO_AMOLED_WHOLE) $(BUILD)/tests/pico/judge" \
 		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240 $(CONFORMANCE_EXPECTED)" \
+		"node tests/pico/test_conformance.mjs $(BENCH_NPM) build/firmware/pico-st7789-240x240-two-cores $(CONFORMANCE_EXPECTED) both" \
 		$(foreach panel,$(PICO_PANELS_TESTED),"$(call PICO_TEST,demo)" "$(call PICO_TEST,usb)") \
 		"tests/pico/test_cores $(BUILD)/tests/pico/cores" \
 		"tests/pico/test_image build/firmware/pico-st7789-240x240/glint.uf2 st7789-240x240" $(foreach board,$(PICO_NOT_RUN),"echo ok 1 - $(board) # SKIP nothing emulates it")

@@ -113,6 +113,11 @@ export class UsbHost {
     this.next.delete(endpoint)
     return this.control(0x01, 11, 0, number, Buffer.alloc(0)) !== null
   }
+  // The configuration that is set, once more.
+  configure(number) {
+    this.next.clear()
+    return this.control(0x00, 9, number, 0, Buffer.alloc(0)) !== null
+  }
   is_halted(endpoint) { return this.control(0x82, 0, 0, endpoint, 2)[0] === 1 }
   // Bulk OUT; returns when the device took all.
   bulk(endpoint, bytes, ms = 1000) {

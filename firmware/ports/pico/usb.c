@@ -12,6 +12,7 @@ static struct {
     struct gud_device *gud;
     struct light_device *light;
     bool is_mounted, is_suspended;
+    bool is_new;                              /* the configuration that is set just now */
     uint8_t reply[GUD_REPLY_BYTES], data[64]; /* they outlive the callback */
 } usb;
 
@@ -43,6 +44,7 @@ static void reset(bool is_mounted)
 void tud_mount_cb(void)
 {
     reset(true);
+    usb.is_new = true;
 }
 
 void tud_umount_cb(void)
@@ -61,6 +63,22 @@ void tud_resume_cb(void)
 {
     usb.is_suspended = false;
     gud_device_resume(usb.gud);
+}
+
+/* TinyUSB does nothing where a host sets the configuration that is set, as Linux does to reset a device without its bus, but hosts count packets
+ * anew after it (USB 2.0, 9.1.1.5). So the linker leads its acknowledgements here first. */
+bool __real_tud_control_status(uint8_t port, const tusb_control_request_t *request);
+bool __wrap_tud_control_status(uint8_t port, const tusb_control_request_t *request);
+
+bool __wrap_tud_control_status(uint8_t port, const tusb_control_request_t *request)
+{
+    const bool configures = request->bmRequestType == 0 && request->bRequest == TUSB_REQ_SET_CONFIGURATION;
+    if (configures && usb.is_mounted && !usb.is_new) {
+        usb_class_restart(port);
+        reset(true);
+    }
+    usb.is_new = false;
+    return __real_tud_control_status(port, request);
 }
 
 /* ---- requests ---- */

@@ -73,6 +73,19 @@ static void halt(uint8_t port, struct bulk *b, bool halts)
     b->is_armed = false;
 }
 
+static void restart(uint8_t port, enum usb_interface i, bool halts)
+{
+    halt(port, &bulk[i], halts);
+    ops->restart(i);
+}
+
+void usb_class_restart(uint8_t port)
+{
+    for (unsigned i = 0; i < USB_INTERFACES; i++)
+        if (bulk[i].endpoint)
+            restart(port, (enum usb_interface)i, false);
+}
+
 /* Vendor requests do not come this way. Those to an endpoint are acknowledged whatever is returned, and so is SET_INTERFACE, which ends a
  * halt, too: after it hosts count packets anew (USB 2.0, 9.1.1.5), although there is one setting alone. */
 static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *what)
@@ -85,10 +98,8 @@ static bool request(uint8_t port, uint8_t stage, const tusb_control_request_t *w
     const bool is_choice =
         is_standard && recipient == TUSB_REQ_RCPT_INTERFACE && what->bRequest == TUSB_REQ_SET_INTERFACE;
     for (unsigned i = 0; i < USB_INTERFACES; i++)
-        if (bulk[i].endpoint && (is_halt ? bulk[i].endpoint == what->wIndex : is_choice && i == what->wIndex)) {
-            halt(port, &bulk[i], what->bRequest == TUSB_REQ_SET_FEATURE);
-            ops->restart((enum usb_interface)i);
-        }
+        if (bulk[i].endpoint && (is_halt ? bulk[i].endpoint == what->wIndex : is_choice && i == what->wIndex))
+            restart(port, (enum usb_interface)i, what->bRequest == TUSB_REQ_SET_FEATURE);
     return false;
 }
 

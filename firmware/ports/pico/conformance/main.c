@@ -8,6 +8,7 @@
 #include "machine.h"
 #include "orbit.h"
 #include "relight.h"
+#include "second_core.h"
 
 #include <hardware/timer.h>
 #include <hardware/watchdog.h>
@@ -81,6 +82,9 @@ int main(void)
     extern uint8_t __StackBottom[]; /* the SDK's */
     (void)board_start();
     watchdog_disable(); /* a check takes longer */
+#if SECOND_CORE
+    second_core_start();
+#endif
     conformance_say("# glint " GLINT_VERSION_STRING ", conformance, " BOARD_NAME ", " PANEL_NAME "\n");
     measure_frames();
     stdio_usb_init(); /* not before: its interrupts would be in the frame rate */
