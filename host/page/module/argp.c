@@ -2,7 +2,8 @@
  * Command lines in the page: base/argp.h without help texts, over the same tables and parsers of options.
  *
  * A command's argp and its children become a list, parents first. All get ARGP_KEY_INIT in that order, since parents set
- * their children's inputs; a word goes to the first that knows its option; ARGP_KEY_END comes to children first. */
+ * their children's inputs; a word goes to the first that knows its option; ARGP_KEY_END comes to children first, and then
+ * ARGP_KEY_SUCCESS. */
 #include "base/argp.h"
 
 #include <stdarg.h>
@@ -99,4 +100,6 @@ void parse_command(const struct argp *argp, unsigned flags, int argc, char **arg
     }
     for (unsigned i = parsers.count; i-- > 0;)
         call(&parsers.list[i], ARGP_KEY_END, NULL, &state);
+    for (unsigned i = parsers.count; i-- > 0;)
+        call(&parsers.list[i], ARGP_KEY_SUCCESS, NULL, &state);
 }

@@ -36,7 +36,14 @@ struct argp_child {
 };
 
 /* A parser is called with the key of an option and its text, or one of these. */
-enum { ARGP_KEY_ARG = 0, ARGP_KEY_END = 0x1000001, ARGP_KEY_NO_ARGS, ARGP_KEY_INIT, ARGP_KEY_ERROR = 0x1000006 };
+enum {
+    ARGP_KEY_ARG = 0,
+    ARGP_KEY_END = 0x1000001,
+    ARGP_KEY_NO_ARGS,
+    ARGP_KEY_INIT,
+    ARGP_KEY_SUCCESS,
+    ARGP_KEY_ERROR = 0x1000006
+};
 struct argp_state {
     char *name;
     void *input;
