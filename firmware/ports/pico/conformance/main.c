@@ -2,13 +2,13 @@
  * The conformance image and the frame rate: the report goes to the UART as it comes and, whole, again and again, to USB's
  * serial port, whenever it is opened. No panel is needed, but one is used. */
 #include "../board.h"
+#include "../second_core.h"
 #include "conformance.h"
 #include "demo.h"
 #include "demo_map.h"
 #include "machine.h"
 #include "orbit.h"
 #include "relight.h"
-#include "second_core.h"
 
 #include <hardware/timer.h>
 #include <hardware/watchdog.h>
