@@ -282,7 +282,7 @@ run([
                 }
             })
             await browser.drop({ [bad]: bytes })
-            await browser.until(said => document.getElementById('refusal').textContent.startsWith(said), i ? '--gloss' : bad)
+            await browser.until(said => document.getElementById('refusal').textContent.startsWith(said), i ? `${bad}: --gloss` : bad)
             await browser.until(i => document.body.dataset.state.includes(`turn=25,${5 * i - 30},0`), i)
         }
         await page.click('#orbit')
