@@ -248,16 +248,20 @@ static void a_picture_that_stands_still_is_whole_again_after_a_reset(void **stat
     assert_last_frame_of("--period 0 --frames 1");
 }
 
-static void a_picture_that_stands_still_ends_with_a_display_that_is_unplugged(void **state)
+static void assert_ends_unplugged(pid_t stream)
 {
-    (void)state;
-    const pid_t stream = start_still("");
+    char text[1000];
     usb_display_unplug(&display);
     assert_exits(stream, 1);
-    char text[1000];
     read_text("stream.err", text, sizeof text);
     assert_one_line(text);
     assert_contains(text, "unplugged; start again when it is back, or use --wait");
+}
+
+static void a_picture_that_stands_still_ends_with_a_display_that_is_unplugged(void **state)
+{
+    (void)state;
+    assert_ends_unplugged(start_still(""));
 }
 
 /* Its lights come by a pipe, and no more of them. */
@@ -284,12 +288,7 @@ static void a_display_that_is_unplugged_while_no_light_comes_is_noticed(void **s
     assert_int_equal(write(lights, "0 0 1\n", 6), 6);
     stream = start("exec " STREAM OURS "--lights lights");
     assert_soon(display.seen->rectangles > 0);
-    usb_display_unplug(&display);
-    assert_exits(stream, 1);
-    char text[1000];
-    read_text("stream.err", text, sizeof text);
-    assert_one_line(text);
-    assert_contains(text, "unplugged; start again when it is back, or use --wait");
+    assert_ends_unplugged(stream);
     close(lights);
 }
 

@@ -35,7 +35,7 @@ run([
   ['the D/C line and the panel are served as by the display itself', () => {
     equal(pico.wires.faults.length, 0, `faults, the first: ${pico.wires.faults[0]}`)
   }],
-  ...both ? [['both cores shade for that rate', () => {
+  ...both ? [['the second core is launched for that rate', () => {
     check(pico.second.running, 'the second core is not launched')
   }]] : [[`the first ${CHECKS} checks give the results of the host`, () => {
     check(CHECKS > 0 && CHECKS <= list.length, `the header has no such check: ${CHECKS} of ${list.length}`)
