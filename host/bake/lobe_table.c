@@ -6,7 +6,7 @@
 #include <stdlib.h>
 
 #include "bake/c_source.h"
-#include "base/message.h"
+#include "base/memory.h"
 #include "models/models.h"
 
 /* ---- the table ---- */
@@ -25,9 +25,7 @@ void lobe_table_fill(struct lobe_table *table)
     table->clamp_peak = table->clamp_peak || table->bits == 8; /* 1.024 * 255 has 9 bits; 1.024 * 32768 has 16 */
     while (((uint64_t)(table->count - 1) << table->shift) <= x_max)
         table->shift++;
-    table->entries = calloc(table->count, sizeof *table->entries);
-    if (!table->entries)
-        fail("out of memory");
+    table->entries = allocate(table->count, sizeof *table->entries);
     for (uint32_t i = 0; i < table->count && ((uint64_t)i << table->shift) <= x_max; i++)
         table->entries[i] = (uint32_t)(((uint64_t)exact(table, i << table->shift) * table->one + 32768) >> 16);
 }

@@ -11,6 +11,7 @@
 #include "base/argp_options.h"
 #include "base/closest.h"
 #include "base/manual.h"
+#include "base/memory.h"
 #include "base/message.h"
 
 void refuse(const struct argp_state *state, const char *format, ...)
@@ -51,9 +52,7 @@ static void refuse_long_name(const struct argp_state *state, const struct option
     for (unsigned i = 0, count = 0; i < list->count; i++)
         if (list->options[i]->name && !(list->options[i]->flags & OPTION_HIDDEN))
             names[count++] = list->options[i]->name;
-    char *name = strndup(word + 2, strcspn(word + 2, "="));
-    if (!name)
-        fail("out of memory");
+    char *name = copied_part(word + 2, strcspn(word + 2, "="));
     const char *closest = closest_name(name, names);
     if (closest)
         refuse(state, "unknown option '--%s' (did you mean '--%s'?)", name, closest);

@@ -10,7 +10,7 @@
 #include "base/argp.h"
 #include "base/c_library.h"
 #include "base/c_names.h"
-#include "base/message.h"
+#include "base/memory.h"
 
 static bool begins(const char *text, const char *with)
 {
@@ -97,10 +97,8 @@ void parse_c_files(const struct argp_state *state, const char *path, const char 
     if (length < 3 || strcasecmp(path + length - 2, ".c") != 0)
         return;
     const char *slash = strrchr(path, '/');
-    files->header = strdup(path);
-    files->stem = strdup(slash ? slash + 1 : path);
-    if (!files->header || !files->stem)
-        fail("out of memory");
+    files->header = copied(path);
+    files->stem = copied(slash ? slash + 1 : path);
     files->header[length - 1] = path[length - 1] == 'C' ? 'H' : 'h';
     files->within = files->header + (slash ? slash + 1 - path : 0);
     if (!is_includable(files->within))

@@ -52,18 +52,13 @@ static bool is_folder(const char *path)
 
 static char *joined(const char *folder, const char *name)
 {
-    char *path;
-    if (asprintf(&path, "%s/%s", folder, name) < 0)
-        fail("out of memory");
-    return path;
+    return formatted("%s/%s", folder, name);
 }
 
 /* The length of the shortest part of the path that does not exist; 0 where all of it does. */
 static size_t missing_length(const char *path)
 {
-    char *part = strdup(path);
-    if (!part)
-        fail("out of memory");
+    char *part = copied(path);
     size_t missing = 0;
     for (size_t length = 1; !missing && path[length - 1]; length++) {
         if (path[length] && path[length] != '/')
@@ -94,16 +89,13 @@ static void give_usual_mode(const char *path)
 static void make_top(struct folder *folder)
 {
     const char *missing = folder->target;
-    char *name;
-    if (asprintf(&name, "%s%s.glint-XXXXXX", missing ? missing : folder->path, missing ? "" : "/") < 0)
-        fail("out of memory");
+    char *name = formatted("%s%s.glint-XXXXXX", missing ? missing : folder->path, missing ? "" : "/");
     sigset_t before;
     signals_hold(&before);
     if (!mkdtemp(name))
         fail("%s: cannot write there: %s", folder->path, strerror(errno));
     folder->top = name;
-    if (asprintf(&folder->work, "%s%s", name, missing ? folder->path + strlen(missing) : "") < 0)
-        fail("out of memory");
+    folder->work = formatted("%s%s", name, missing ? folder->path + strlen(missing) : "");
     unfinished = folder;
     signals_release(&before);
 }
@@ -127,13 +119,12 @@ static void make_rest(struct folder *folder)
 struct folder *folder_open(const char *path)
 {
     struct folder *folder = allocate(1, sizeof *folder);
-    if (!(folder->path = strdup(path)))
-        fail("out of memory");
+    folder->path = copied(path);
     for (size_t length = strlen(path); length > 1 && path[length - 1] == '/'; length--)
         folder->path[length - 1] = '\0';
     const size_t missing = missing_length(folder->path);
-    if (missing && !(folder->target = strndup(folder->path, missing)))
-        fail("out of memory");
+    if (missing)
+        folder->target = copied_part(folder->path, missing);
     static bool registered;
     if (!registered) {
         registered = true;
@@ -179,9 +170,7 @@ static void make_room(struct folder *folder)
 
 char *folder_file(struct folder *folder, const char *name)
 {
-    char *file = joined(folder->work, name), *path = strdup(file), *final = joined(folder->path, name);
-    if (!path)
-        fail("out of memory");
+    char *file = joined(folder->work, name), *path = copied(file), *final = joined(folder->path, name);
     if (is_folder(final))
         fail("%s: is a folder; move it away, or name another folder", final);
     if (folder->count == folder->room)

@@ -4,14 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/message.h"
+#include "base/memory.h"
 #include "base/text.h"
 
 json_t *json_text(const char *text)
 {
-    char *copy = strdup(text);
-    if (!copy)
-        fail("out of memory");
+    char *copy = copied(text);
     json_t *json = json_string(text_clean(copy, true));
     free(copy);
     return json;

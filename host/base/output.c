@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "base/stop.h"
@@ -72,14 +73,14 @@ static mode_t wanted_mode(bool exists, const struct stat *status)
 /* Where a symbolic link leads; NULL: it is none. */
 static char *link_target(const char *path)
 {
-    char link[PATH_MAX], *next;
+    char link[PATH_MAX];
     const ssize_t length = readlink(path, link, sizeof link - 1);
     if (length < 0)
         return NULL;
     link[length] = '\0';
     const char *slash = *link == '/' ? NULL : strrchr(path, '/');
     const int folder = slash ? (int)(slash - path) + 1 : 0;
-    return asprintf(&next, "%.*s%s", folder, path, link) < 0 ? NULL : next;
+    return formatted("%.*s%s", folder, path, link);
 }
 
 /* Where the name leads: a symbolic link stays one, also one whose file is not there yet. */
@@ -89,9 +90,15 @@ static char *resolve(const char *path)
     if (target || errno != ENOENT)
         return target;
     char *next = link_target(path);
-    target = next ? resolve(next) : strdup(path); /* ends: a loop of links is ELOOP to realpath */
+    target = next ? resolve(next) : copied(path); /* ends: a loop of links is ELOOP to realpath */
     free(next);
     return target;
+}
+
+/* The path up to its last slash; without one the current folder. */
+static char *folder_of(const char *path, const char *slash)
+{
+    return slash ? copied_part(path, (size_t)(slash - path) + 1) : copied(".");
 }
 
 /* Of the name of a file that leads to an open descriptor, as /dev/stderr and /dev/fd/3, its number; else -1. */
@@ -99,8 +106,7 @@ static int descriptor_of(const char *path)
 {
     char own[32];
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
-    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
-    char *real = folder ? realpath(folder, NULL) : NULL, *next = NULL;
+    char *folder = folder_of(path, slash), *real = realpath(folder, NULL), *next = NULL;
     snprintf(own, sizeof own, "/proc/%d/fd", (int)getpid());
     int found = real && strcmp(real, own) == 0 ? (int)strtol(name, NULL, 10) : -1;
     if (found < 0 && (next = link_target(path)))
@@ -119,8 +125,8 @@ static bool same_status(const struct stat *a, const struct stat *b)
 /* The folder of `path`, which ends with a name in it. */
 static bool folder_status(const char *path, const char *slash, struct stat *status)
 {
-    char *folder = slash ? strndup(path, (size_t)(slash - path) + 1) : strdup(".");
-    const bool good = folder && stat(folder, status) == 0;
+    char *folder = folder_of(path, slash);
+    const bool good = stat(folder, status) == 0;
     free(folder);
     return good;
 }
@@ -165,9 +171,7 @@ void output_never(FILE *input)
 
 void output_never_number(dev_t device, ino_t file)
 {
-    struct input *kept = malloc(sizeof *kept);
-    if (!kept)
-        fail("out of memory");
+    struct input *kept = allocate(1, sizeof *kept);
     *kept = (struct input){device, file, inputs};
     inputs = kept;
 }
@@ -200,8 +204,7 @@ static int open_beside(struct output *output)
 {
     const char *slash = strrchr(output->target, '/');
     const int folder = slash ? (int)(slash - output->target) + 1 : 0;
-    if (asprintf(&output->temporary, "%.*s.glint-XXXXXX", folder, output->target) < 0)
-        fail("out of memory");
+    output->temporary = formatted("%.*s.glint-XXXXXX", folder, output->target);
     /* A signal in between would leave a file behind. */
     sigset_t before;
     signals_hold(&before);
@@ -230,9 +233,8 @@ bool output_is_standard(const char *path)
 
 struct output *output_open(const char *path)
 {
-    struct output *output = calloc(1, sizeof *output);
-    if (!output || !(output->path = strdup(path)))
-        fail("out of memory");
+    struct output *output = allocate(1, sizeof *output);
+    output->path = copied(path);
     if (strcmp(path, "-") == 0) {
         output->stream = stdout;
         return output;

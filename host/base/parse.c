@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "base/argp.h"
-#include "base/message.h"
+#include "base/memory.h"
 #include "base/parse.h"
 #include "base/unknown.h"
 
@@ -128,9 +128,7 @@ size_t parse_list(const struct argp_state *state, const char *option, const char
         const double last = floor((range.to - range.from) / range.step + 1e-9);
         if (last + (double)count >= LIST_MAX)
             refuse(state, "%s: '%s' has more than %d values", option, text, LIST_MAX);
-        list = reallocarray(list, count + (size_t)last + 1, sizeof *list);
-        if (!list)
-            fail("out of memory");
+        list = enlarge(list, count + (size_t)last + 1, sizeof *list);
         for (size_t i = 0; i <= (size_t)last; i++)
             list[count++] = fmin(range.from + (double)i * range.step, range.to);
         if (!*end)
@@ -145,9 +143,7 @@ size_t parse_integer_list(const struct argp_state *state, const char *option, co
 {
     double *reals;
     const size_t count = parse_list(state, option, text, (double)low, (double)high, &reals);
-    long *list = calloc(count, sizeof *list);
-    if (!list)
-        fail("out of memory");
+    long *list = allocate(count, sizeof *list);
     for (size_t i = 0; i < count; i++) {
         if (reals[i] != floor(reals[i]))
             refuse(state, "%s: '%s' is not a list of whole numbers from %ld to %ld", option, text, low, high);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/argp.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/rows.h"
 
@@ -24,9 +25,7 @@ void parse_rows_format(const struct argp_state *state, enum rows_format *format,
 
 struct rows *rows_begin(FILE *stream, enum rows_format format, const struct column *columns, size_t count)
 {
-    struct rows *rows = malloc(sizeof *rows);
-    if (!rows)
-        fail("out of memory");
+    struct rows *rows = allocate(1, sizeof *rows);
     *rows = (struct rows){stream, columns, count, 0, format};
     return rows;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/argp.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "base/parse.h"
@@ -91,9 +92,7 @@ static size_t parse_values(const struct argp_state *state, const struct request 
     long *integers;
     const long low = request->of_t ? 0 : -GLINT_C_ONE, high = request->of_t ? 2L * GLINT_T_ONE : GLINT_C_ONE;
     const size_t count = parse_integer_list(state, where, word, low, high, &integers);
-    *values = malloc(count * sizeof **values);
-    if (!*values)
-        fail("out of memory");
+    *values = allocate(count, sizeof **values);
     for (size_t i = 0; i < count; i++)
         (*values)[i] = (double)integers[i];
     free(integers);

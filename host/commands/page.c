@@ -96,15 +96,14 @@ static void find_page(const char *path, struct page *page)
             fail("%s: %s", path, strerror(errno));
         return;
     }
-    char own[PATH_MAX], *name;
+    char own[PATH_MAX];
     const ssize_t len = readlink("/proc/self/exe", own, sizeof own - 1);
     own[len > 0 ? len : 0] = '\0';
     char *slash = strrchr(own, '/');
     if (slash)
         *slash = '\0';
     for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
-        if (asprintf(&name, "%s%s", own, places[i]) < 0)
-            fail("out of memory");
+        char *name = formatted("%s%s", own, places[i]);
         const bool found = read_page(name, page);
         free(name);
         if (found)

@@ -6,6 +6,7 @@
 
 #include "base/argp.h"
 #include "base/folder.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "base/parse.h"
@@ -79,9 +80,7 @@ static const char documentation[] =
 static unsigned parse_parts(const struct argp_state *state, const char *text)
 {
     unsigned wanted = 0;
-    char *copy = strdup(text), *rest = copy;
-    if (!copy)
-        fail("out of memory");
+    char *copy = copied(text), *rest = copy;
     for (char *name; (name = strsep(&rest, ","));) {
         const char *names[PART_COUNT + 1] = {NULL};
         for (int i = 0; i < PART_COUNT; i++)

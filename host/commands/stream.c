@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "base/argp.h"
+#include "base/memory.h"
 #include "base/parse.h"
 #include "commands/commands.h"
 #include "draw/shading.h"
@@ -283,9 +284,8 @@ static void print_help(FILE *stream)
 static char *describe(int key, const char *text, void *input)
 {
     (void)input;
-    char *shaders;
-    if (key == KEY_SHADE && asprintf(&shaders, "%s %s", text, sink_names(shades)) >= 0)
-        return shaders;
+    if (key == KEY_SHADE)
+        return formatted("%s %s", text, sink_names(shades));
     return key == ARGP_KEY_HELP_POST_DOC ? help_text(text, print_help) : (char *)text;
 }
 

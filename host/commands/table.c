@@ -9,6 +9,7 @@
 #include "bake/lobe_table.h"
 #include "base/argp.h"
 #include "base/c_names.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/output_pair.h"
 #include "base/parse.h"
@@ -196,9 +197,8 @@ static void write_tables(const struct request *request, struct shading shading, 
     if (flash_tables_fill(&flash, kind, &material, &output) != GLINT_OK)
         fail("--kind %s: needs a grey --ambient and --diffuse of at most 1 together, as --ambient .1 --diffuse .9",
              tables_kind_names[kind]);
-    if (asprintf(&flash.about, "%s, n = %u, q = %u, %s, %s", model_names[shading.model], shading.n, shading.q,
-                 format_names[shading.format], space_names[shading.space]) < 0)
-        fail("out of memory");
+    flash.about = formatted("%s, n = %u, q = %u, %s, %s", model_names[shading.model], shading.n, shading.q,
+                            format_names[shading.format], space_names[shading.space]);
     struct output_pair outputs = output_pair_open(request->path, request->files.header);
     FILE *const stream = outputs.source->stream;
     if (outputs.header) {

@@ -240,9 +240,8 @@ static char *narrow(struct way *way, struct glint_material *material)
     const char *const what = way->path->paint == ALBEDO ? "pixels of full gloss"
                              : takes_maps(way->path)    ? "one colour"
                                                         : "one colour at full gloss";
-    if (!way->whole &&
-        asprintf(&warning, "draws %s, %zu of %zu pixels; the exact path drew the rest", what, chosen, wanted) < 0)
-        fail("out of memory");
+    if (!way->whole)
+        warning = formatted("draws %s, %zu of %zu pixels; the exact path drew the rest", what, chosen, wanted);
     return warning;
 }
 

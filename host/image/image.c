@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 #include "image/format.h"
 
 void image_free(struct image *image)
@@ -23,11 +22,9 @@ struct image *image_lines(const struct image *image, int64_t first, uint32_t cou
     const int64_t height = image->height;
     struct image *out = allocate(1, sizeof *out);
     *out = *image;
-    out->name = strdup(image->name);
+    out->name = copied(image->name);
     out->height = count;
     out->samples = allocate(count * line, sizeof *out->samples);
-    if (!out->name)
-        fail("out of memory");
     for (uint32_t y = 0; y < count; y++) {
         const int64_t from = (first + (int64_t)y) % height;
         memcpy(out->samples + y * line, image->samples + (size_t)(from < 0 ? from + height : from) * line,

@@ -121,8 +121,7 @@ static struct image *read_png(struct source *source)
     png_read_info(png, info);
 
     struct image *image = allocate(1, sizeof *image);
-    if (!(image->name = strdup(source->name)))
-        fail("out of memory");
+    image->name = copied(source->name);
     image->width = png_get_image_width(png, info);
     image->height = png_get_image_height(png, info);
     image->bits = png_get_bit_depth(png, info);

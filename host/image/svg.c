@@ -64,6 +64,11 @@ struct source {
 static struct {
     FUNCTIONS(POINTER)
 } lib;
+#define FUNCTION(name) {#name, (void **)&lib.name},
+static const struct {
+    const char *name;
+    void **at;
+} functions[] = {FUNCTIONS(FUNCTION)};
 
 static _Noreturn __attribute__((format(printf, 2, 3))) void refuse(int out, const char *format, ...)
 {
@@ -80,8 +85,8 @@ static void load(int out)
 {
     void *handle = dlopen("librsvg-2.so.2", RTLD_NOW);
     bool good = handle != NULL;
-#define FIND(name) good = good && (*(void **)&lib.name = dlsym(handle, #name)) != NULL;
-    FUNCTIONS(FIND)
+    for (size_t i = 0; good && i < sizeof functions / sizeof *functions; i++)
+        good = (*functions[i].at = dlsym(handle, functions[i].name)) != NULL;
     if (!good)
         refuse(
             out,
@@ -176,8 +181,7 @@ static char *read_all(FILE *stream, const char *name, const uint8_t *head, size_
             continue;
         if (room >= BYTES_MAX)
             fail("%s: an SVG of more than %d MB; convert it to PNG", name, BYTES_MAX >> 20);
-        if (!(bytes = realloc(bytes, room *= 2)))
-            fail("out of memory");
+        bytes = enlarge(bytes, room *= 2, 1);
     }
     if (ferror(stream))
         fail("%s: could not be read: %s", name, strerror(errno));
@@ -214,9 +218,7 @@ struct image *svg_read(FILE *stream, const char *name, const uint8_t *head, size
         fail("%s: librsvg drew it in another size; convert it to PNG", name);
     struct image *image = allocate(1, sizeof *image);
     *image = (struct image){
-        .name = strdup(name), .width = drawn.width, .height = drawn.height, .channels = CHANNELS, .bits = 8};
-    if (!image->name)
-        fail("out of memory");
+        .name = copied(name), .width = drawn.width, .height = drawn.height, .channels = CHANNELS, .bits = 8};
     const size_t samples = (size_t)drawn.width * drawn.height * CHANNELS;
     image->samples = allocate(samples, sizeof *image->samples);
     receive(&child, name, image->samples, samples * sizeof *image->samples);

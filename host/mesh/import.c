@@ -131,7 +131,7 @@ static struct soup *receive_soup(struct reader *reader)
         fail("%s: has %llu materials; at most %d can be read; join some", reader->source->name,
              (unsigned long long)head.part_count, PARTS_MAX);
     struct soup *soup = allocate(1, sizeof *soup);
-    *soup = (struct soup){.name = strdup(reader->source->name),
+    *soup = (struct soup){.name = copied(reader->source->name),
                           .face_count = head.face_count,
                           .has_normals = truth(&head.has_normals),
                           .has_uv = truth(&head.has_uv),
@@ -139,8 +139,6 @@ static struct soup *receive_soup(struct reader *reader)
                           .has_facet_colors = truth(&head.has_facet_colors),
                           .is_stl = strcmp(reader->source->ending, ".stl") == 0,
                           .part_count = (unsigned)head.part_count};
-    if (!soup->name)
-        fail("out of memory");
     if (head.picture_count > 2 * (uint64_t)soup->part_count)
         fail("%s: has more than two textures a material; export it again", soup->name);
     soup->picture_count = (unsigned)head.picture_count;

@@ -39,6 +39,11 @@ enum { GLTF_NEAREST = 9728 };
 static struct {
     FUNCTIONS(POINTER)
 } lib;
+#define FUNCTION(name) {#name, (void **)&lib.name},
+static const struct {
+    const char *name;
+    void **at;
+} functions[] = {FUNCTIONS(FUNCTION)};
 #define TEXT(x) #x
 #define TEXT_OF(x) TEXT(x)
 #define LIBRARY "libassimp.so." TEXT_OF(GLINT_WITH_MESH)
@@ -47,8 +52,8 @@ static bool load(void)
 {
     void *handle = dlopen(LIBRARY, RTLD_NOW);
     bool good = handle != NULL;
-#define FIND(name) good = good && (*(void **)&lib.name = dlsym(handle, #name)) != NULL;
-    FUNCTIONS(FIND)
+    for (size_t i = 0; good && i < sizeof functions / sizeof *functions; i++)
+        good = (*functions[i].at = dlsym(handle, functions[i].name)) != NULL;
     return good;
 }
 

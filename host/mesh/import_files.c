@@ -15,7 +15,6 @@
 #include <unistd.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 
 const char import_files_input[] = "standard input";
 static const struct import_source *source;
@@ -168,13 +167,11 @@ static void decode_percents(char *name)
 static FILE *open_named(const struct import_source *of, const char *name, size_t *len, const char **wrong)
 {
     const char *slash = strrchr(of->path, '/');
-    char *path;
     if (is_elsewhere(name)) {
         *wrong = outside;
         return NULL;
     }
-    if (asprintf(&path, "%.*s%s", slash && name[0] != '/' ? (int)(slash - of->path) + 1 : 0, of->path, name) < 0)
-        _exit(1);
+    char *path = formatted("%.*s%s", slash && name[0] != '/' ? (int)(slash - of->path) + 1 : 0, of->path, name);
     FILE *stream = import_files_open(path, len, wrong);
     free(path);
     return stream;
@@ -185,9 +182,7 @@ FILE *import_files_open_named(const struct import_source *of, const char *key, s
     *wrong = outside;
     if (!of->path)
         return NULL;
-    char *name = strdup(key);
-    if (!name)
-        fail("out of memory");
+    char *name = copied(key);
     use_slashes(name);
     FILE *stream = open_named(of, name, len, wrong);
     if (!stream && strchr(name, '%')) {

@@ -159,9 +159,7 @@ const char *import_picture_decode(struct mesh_picture *picture, const char *name
         return head.message[0] ? head.message : "has no pixels";
     }
     *picture =
-        (struct mesh_picture){strdup(name), head.width, head.height, allocate((size_t)head.width * head.height, 3)};
-    if (!picture->name)
-        fail("out of memory");
+        (struct mesh_picture){copied(name), head.width, head.height, allocate((size_t)head.width * head.height, 3)};
     wrong = child_receive(&child, picture->rgb, (size_t)3 * head.width * head.height);
     if (!wrong)
         child_end(&child);

@@ -92,10 +92,7 @@ static void read_input(struct import_source *source)
         if (source->len < room)
             continue;
         room *= 2;
-        char *const more = realloc(source->bytes, room);
-        if (!more)
-            fail("out of memory");
-        source->bytes = more;
+        source->bytes = enlarge(source->bytes, room, 1);
     }
     if (ferror(stdin))
         fail("%s: could not be read: %s", source->name, strerror(errno));

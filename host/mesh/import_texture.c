@@ -74,9 +74,7 @@ unsigned import_pictures_find(struct import_pictures *pictures, const char *name
         if (strcmp(pictures->of[i].key, name) == 0)
             return i;
     struct import_found *found = &pictures->of[pictures->count];
-    *found = (struct import_found){.key = strdup(name)};
-    if (!found->key)
-        _exit(1);
+    *found = (struct import_found){.key = copied(name)};
     if (name[0] == '*' && pictures->scene)
         take_held(pictures->scene, found);
     else

@@ -8,7 +8,6 @@
 #include <strings.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 
 static const char blanks[] = " \t\v\f";
 
@@ -41,10 +40,7 @@ static void skip_end(struct lines *lines)
 static void keep(struct lines *lines, size_t *len, char byte)
 {
     if (*len + 1 >= lines->room) {
-        char *more = realloc(lines->line, lines->room *= 2);
-        if (!more)
-            fail("out of memory");
-        lines->line = more;
+        lines->line = enlarge(lines->line, lines->room *= 2, 1);
     }
     lines->line[(*len)++] = byte;
 }

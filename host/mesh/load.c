@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 #include "mesh/import.h"
 #include "mesh/order.h"
 #include "mesh/soup.h"
@@ -37,12 +36,10 @@ static void wrap_around(struct soup *soup)
 static struct soup *teapot(void)
 {
     struct soup *soup = allocate(1, sizeof *soup);
-    *soup = (struct soup){.name = strdup(mesh_names[0]), .face_count = TEAPOT_FACES, .part_count = 1};
+    *soup = (struct soup){.name = copied(mesh_names[0]), .face_count = TEAPOT_FACES, .part_count = 1};
     soup->materials = allocate(1, sizeof *soup->materials);
     *soup->materials = (struct mesh_material){.has_color = true, .color = {196, 98, 60}};
     soup->faces = allocate(TEAPOT_FACES, sizeof *soup->faces);
-    if (!soup->name)
-        fail("out of memory");
     for (int i = 0; i < 3 * TEAPOT_FACES; i++)
         memcpy(soup->faces[i / 3].places[i % 3], teapot_places[teapot_faces[i / 3][i % 3]], sizeof *teapot_places);
     wrap_around(soup);

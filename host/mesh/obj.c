@@ -56,10 +56,7 @@ static void *more(struct list *list, size_t size)
 {
     if (list->count == list->room) {
         list->room = list->room ? 2 * list->room : 64;
-        void *grown = realloc(list->of, list->room * size);
-        if (!grown)
-            fail("out of memory");
-        list->of = grown;
+        list->of = enlarge(list->of, list->room, size);
     }
     return memset((char *)list->of + size * list->count++, 0, size);
 }
@@ -135,7 +132,7 @@ static void take_libraries(struct obj *obj, const struct obj_source *source, con
         return;
     }
     bool found = source->library(&obj->materials, names);
-    char *copy = found ? NULL : strdup(names), *at = copy;
+    char *copy = found ? NULL : copied(names), *at = copy;
     for (const char *name; at && (name = lines_word(&at));) {
         const bool good = source->library(&obj->materials, name);
         missing = missing || good ? missing : name;

@@ -12,14 +12,6 @@
 
 static const struct mesh_material plain = {.has_color = true, .color = {153, 153, 153}, .factor = {1, 1, 1}};
 
-static char *copy_of(const char *text)
-{
-    char *copy = strdup(text);
-    if (!copy)
-        fail("out of memory");
-    return copy;
-}
-
 void obj_materials_free(struct obj_materials *materials)
 {
     for (unsigned i = 0; i < materials->count; i++) {
@@ -38,12 +30,9 @@ unsigned obj_materials_find(struct obj_materials *materials, const char *name)
         return OBJ_MATERIALS_MAX;
     if (materials->count == materials->room) {
         materials->room = materials->room ? 2 * materials->room : 4;
-        struct obj_material *grown = realloc(materials->of, materials->room * sizeof *grown);
-        if (!grown)
-            fail("out of memory");
-        materials->of = grown;
+        materials->of = enlarge(materials->of, materials->room, sizeof *materials->of);
     }
-    materials->of[materials->count] = (struct obj_material){.name = copy_of(name), .look = plain, .scale = {1, 1}};
+    materials->of[materials->count] = (struct obj_material){.name = copied(name), .look = plain, .scale = {1, 1}};
     return materials->count++;
 }
 
@@ -139,7 +128,7 @@ static void take_picture(const struct obj_materials *materials, struct obj_mater
     if (!*at)
         return;
     free(material->picture);
-    material->picture = copy_of(at);
+    material->picture = copied(at);
     material->look.clamps = clamps;
     for (int k = 0; k < 2; k++) {
         material->scale[k] = (double)numbers[SCALE][k];
@@ -192,7 +181,7 @@ static unsigned picture_of(struct soup *soup, const char *name)
     for (unsigned i = 0; i < soup->picture_count; i++)
         if (strcmp(soup->pictures[i].name, name) == 0)
             return i + 1;
-    soup->pictures[soup->picture_count].name = copy_of(name);
+    soup->pictures[soup->picture_count].name = copied(name);
     return ++soup->picture_count;
 }
 

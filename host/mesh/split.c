@@ -42,14 +42,6 @@ static struct edge *sorted_edges(const struct mesh *mesh)
     return edges;
 }
 
-static void *grown(void *array, size_t count, size_t size)
-{
-    void *larger = realloc(array, count * size);
-    if (!larger)
-        fail("out of memory");
-    return larger;
-}
-
 /* The vertex in the middle of an edge. */
 static uint32_t middle(struct mesh *mesh, const struct edge *edge, uint32_t place)
 {
@@ -81,13 +73,13 @@ static size_t choose(struct mesh *mesh, double least, uint32_t (*middles)[3])
     struct edge *edges = sorted_edges(mesh);
     size_t added = 0;
     memset(middles, 0xff, mesh->face_count * sizeof *middles);
-    mesh->places = grown(mesh->places, mesh->vertex_count + count, sizeof *mesh->places);
-    mesh->normals = grown(mesh->normals, mesh->vertex_count + count, sizeof *mesh->normals);
+    mesh->places = enlarge(mesh->places, mesh->vertex_count + count, sizeof *mesh->places);
+    mesh->normals = enlarge(mesh->normals, mesh->vertex_count + count, sizeof *mesh->normals);
     if (mesh->colors)
-        mesh->colors = grown(mesh->colors, mesh->vertex_count + count, sizeof *mesh->colors);
+        mesh->colors = enlarge(mesh->colors, mesh->vertex_count + count, sizeof *mesh->colors);
     if (mesh->uv)
-        mesh->uv = grown(mesh->uv, mesh->vertex_count + count, sizeof *mesh->uv);
-    mesh->at = grown(mesh->at, mesh->vertex_count + count, sizeof *mesh->at);
+        mesh->uv = enlarge(mesh->uv, mesh->vertex_count + count, sizeof *mesh->uv);
+    mesh->at = enlarge(mesh->at, mesh->vertex_count + count, sizeof *mesh->at);
     for (size_t i = 0, end; i < count; i = end) {
         bool cut = false;
         for (end = i; end < count && edges[end].low == edges[i].low && edges[end].high == edges[i].high; end++)

@@ -151,9 +151,7 @@ static void multiply(struct mesh_picture *picture, const struct mesh_picture *fr
 {
     uint8_t levels[3][256];
     const size_t samples = (size_t)3 * from->width * from->height;
-    *picture = (struct mesh_picture){strdup(from->name), from->width, from->height, allocate(samples, 1)};
-    if (!picture->name)
-        fail("out of memory");
+    *picture = (struct mesh_picture){copied(from->name), from->width, from->height, allocate(samples, 1)};
     for (int i = 0; i < 3 * 256; i++) {
         const double value = fmin(1, fmax(0, factor[i / 256])) * texture_decode(i % 256 / 255.);
         levels[i / 256][i % 256] = (uint8_t)lround(255 * texture_encode(value));

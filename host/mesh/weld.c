@@ -159,8 +159,7 @@ struct mesh *mesh_weld(const struct soup *soup, double crease)
     struct grid *grid = grid_new(soup);
     uint32_t(*faces)[3] = allocate(soup->face_count, sizeof *faces);
     size_t *from = allocate(soup->face_count, sizeof *from);
-    if (!(mesh->name = strdup(soup->name)))
-        fail("out of memory");
+    mesh->name = copied(soup->name);
     mesh->face_count = join(soup, grid, faces, from, mesh);
     mesh->place_count = grid->count;
     if (!mesh->face_count)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/folder.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
 #include "paper/plot.h"
@@ -12,9 +13,7 @@
 static const char *base64(const unsigned char *bytes, size_t size)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/=";
-    char *text = malloc((size + 2) / 3 * 4 + 1), *at = text;
-    if (!text)
-        fail("out of memory");
+    char *text = allocate((size + 2) / 3 * 4 + 1, 1), *at = text;
     for (size_t i = 0; i < size; i += 3) {
         const size_t left = size - i;
         const unsigned group = (unsigned)bytes[i] << 16 | (left > 1 ? (unsigned)bytes[i + 1] << 8 : 0) |

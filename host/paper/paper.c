@@ -5,6 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/output.h"
 
@@ -79,7 +80,6 @@ struct output *paper_file(const struct paper *paper, const char *name)
     struct output *output = output_open(file);
     free(file);
     free(output->path); /* messages name the file as it is called in the end */
-    if (asprintf(&output->path, "%s/%s", paper->directory, name) < 0)
-        fail("out of memory");
+    output->path = formatted("%s/%s", paper->directory, name);
     return output;
 }

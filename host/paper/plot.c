@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "base/child.h"
+#include "base/memory.h"
 #include "base/message.h"
 
 enum { COMPLAINT_BYTES = 100 };
@@ -23,8 +24,8 @@ static char *read_all(int descriptor, size_t *size)
     size_t room = 0;
     *size = 0;
     for (;;) {
-        if (*size == room && !(text = realloc(text, room = room * 2 + 65536)))
-            fail("out of memory");
+        if (*size == room)
+            text = enlarge(text, room = room * 2 + 65536, 1);
         const ssize_t got = read(descriptor, text + *size, room - *size);
         if (got == 0)
             return text;

@@ -3,28 +3,20 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "base/message.h"
+#include "base/memory.h"
 #include "models/models.h"
 #include "paper/search_grid.h"
 
 #define PI 3.14159265358979323846
-
-static double *numbers(size_t count)
-{
-    double *values = malloc(count * sizeof *values);
-    if (!values)
-        fail("out of memory");
-    return values;
-}
 
 void grid_init(struct grid *grid, const struct search_options *options, struct search_list exponents)
 {
     const size_t angles = options->angles, count = options->shininess.count;
     *grid = (struct grid){
         .angles = angles, .shininess = count, .exponents = exponents, .shininess_values = options->shininess.values};
-    grid->reference = numbers(angles * count);
-    grid->cosine_power = numbers(angles * exponents.count);
-    grid->shininess_power = numbers(count * exponents.count);
+    grid->reference = allocate(angles * count, sizeof(double));
+    grid->cosine_power = allocate(angles * exponents.count, sizeof(double));
+    grid->shininess_power = allocate(count * exponents.count, sizeof(double));
     const double *n = options->shininess.values;
     for (size_t i = 0; i < angles; i++) {
         const double c = cos(PI / 2 * (double)i / (double)(angles - 1));

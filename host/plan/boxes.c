@@ -5,16 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/message.h"
+#include "base/memory.h"
 #include "plan/plan.h"
 
 void boxes_add(struct boxes *boxes, struct glint_box box)
 {
     if (boxes->count == boxes->room) {
         boxes->room = boxes->room ? 2 * boxes->room : 64;
-        boxes->list = reallocarray(boxes->list, boxes->room, sizeof *boxes->list);
-        if (!boxes->list)
-            fail("out of memory");
+        boxes->list = enlarge(boxes->list, boxes->room, sizeof *boxes->list);
     }
     boxes->list[boxes->count++] = box;
 }

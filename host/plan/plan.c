@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 #include "image/format.h"
 #include "plan/density.h"
 #include "plan/tiles.h"
@@ -130,10 +129,7 @@ static uint8_t *grow(uint8_t *bytes, size_t *size, size_t wanted)
     if (wanted <= *size)
         return bytes;
     *size = wanted + wanted / 2;
-    bytes = realloc(bytes, *size);
-    if (!bytes)
-        fail("out of memory");
-    return bytes;
+    return enlarge(bytes, *size, 1);
 }
 
 /* The bytes it takes compressed; 0 where that is not less. */
@@ -170,9 +166,7 @@ static void add_piece(struct plan *plan, struct draft *draft, const struct frame
     }
     if (draft->count == draft->room) {
         draft->room = draft->room ? 2 * draft->room : 64;
-        draft->pieces = reallocarray(draft->pieces, draft->room, sizeof *draft->pieces);
-        if (!draft->pieces)
-            fail("out of memory");
+        draft->pieces = enlarge(draft->pieces, draft->room, sizeof *draft->pieces);
     }
     draft->pieces[draft->count++] = piece;
     draft->used += piece.bytes;

@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "base/memory.h"
-#include "base/message.h"
 #include "scene/bevel.h"
 
 /* The shape's first and last pixel, each way. */
@@ -115,15 +114,13 @@ struct image *logo_fitted(const struct image *picture, uint32_t width, uint32_t 
         plane = scaled(plane, down, counts[down], first_place(&box, down, counts[down], step), step);
     }
     struct image *image = allocate(1, sizeof *image);
-    *image = (struct image){.name = strdup(picture->name),
+    *image = (struct image){.name = copied(picture->name),
                             .width = width,
                             .height = height,
                             .channels = 1,
                             .bits = 16,
                             .is_coverage = true};
     image->samples = allocate((size_t)width * height, sizeof *image->samples);
-    if (!image->name)
-        fail("out of memory");
     for (size_t i = 0; i < (size_t)width * height; i++)
         image->samples[i] = (uint16_t)lround(65535 * fmin(1, plane.samples[i]));
     free(plane.samples);

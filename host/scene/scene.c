@@ -76,7 +76,7 @@ void scene_repeat(struct scene *scene, uint32_t width, uint32_t height)
     scene->height = height;
 }
 
-static void *copied(const void *map, const struct scene *scene, uint32_t top, uint32_t lines, size_t size)
+static void *cropped(const void *map, const struct scene *scene, uint32_t top, uint32_t lines, size_t size)
 {
     if (!map)
         return NULL;
@@ -89,7 +89,7 @@ struct scene *scene_part(const struct scene *scene, uint32_t top, uint32_t lines
 {
     struct scene *part = allocate(1, sizeof *part);
     *part = (struct scene){.width = scene->width, .height = lines, .grain = scene->grain, .finish = scene->finish};
-#define COPY(map, size) part->map = copied(scene->map, scene, top, lines, size);
+#define COPY(map, size) part->map = cropped(scene->map, scene, top, lines, size);
     SCENE_MAPS(COPY)
 #undef COPY
     return part;

@@ -32,9 +32,7 @@ static int keep(GifFileType *file, const GifByteType *bytes, int count)
     struct gif *gif = file->UserData;
     if (gif->len + (size_t)count > gif->room) {
         gif->room = 2 * (gif->len + (size_t)count);
-        gif->bytes = realloc(gif->bytes, gif->room);
-        if (!gif->bytes)
-            fail("out of memory");
+        gif->bytes = enlarge(gif->bytes, gif->room, 1);
     }
     memcpy(gif->bytes + gif->len, bytes, (size_t)count);
     gif->len += (size_t)count;
@@ -184,8 +182,7 @@ static void close_gif(struct sink *sink)
 
 static char *library(void)
 {
-    char *text;
-    return asprintf(&text, "giflib %d.%d.%d", GIFLIB_MAJOR, GIFLIB_MINOR, GIFLIB_RELEASE) < 0 ? NULL : text;
+    return formatted("giflib %d.%d.%d", GIFLIB_MAJOR, GIFLIB_MINOR, GIFLIB_RELEASE);
 }
 
 const struct sink_kind sink_gif = {

@@ -177,10 +177,7 @@ static void close_terminal(struct sink *sink)
 
 static char *library(void)
 {
-    char *text = NULL;
-    return asprintf(&text, "libchafa %d.%d.%d", CHAFA_MAJOR_VERSION, CHAFA_MINOR_VERSION, CHAFA_MICRO_VERSION) < 0
-               ? NULL
-               : text;
+    return formatted("libchafa %d.%d.%d", CHAFA_MAJOR_VERSION, CHAFA_MINOR_VERSION, CHAFA_MICRO_VERSION);
 }
 
 const struct sink_kind sink_terminal = {

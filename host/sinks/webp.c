@@ -137,8 +137,7 @@ static void close_webp(struct sink *sink)
 static char *library(void)
 {
     const int version = WebPGetEncoderVersion();
-    char *text;
-    return asprintf(&text, "libwebp %d.%d.%d", version >> 16, version >> 8 & 255, version & 255) < 0 ? NULL : text;
+    return formatted("libwebp %d.%d.%d", version >> 16, version >> 8 & 255, version & 255);
 }
 
 const struct sink_kind sink_webp = {

@@ -36,10 +36,8 @@ bool iio_is_named(const char *lights)
 /* The first line of a file in the folder, without its end; NULL: there is none, or errno is EINTR. */
 static char *read_file(const char *folder, const char *name)
 {
-    char *path, *line = NULL;
+    char *path = formatted("%s/%s", folder, name), *line = NULL;
     size_t room = 0;
-    if (asprintf(&path, "%s/%s", folder, name) < 0)
-        fail("out of memory");
     FILE *file = fopen(path, "r");
     free(path);
     if (!file)
@@ -108,9 +106,8 @@ static bool find_device(struct iio *iio, const char *folder)
     for (struct dirent *entry; entries && (entry = readdir(entries));) {
         if (strncmp(entry->d_name, "iio:device", 10) != 0)
             continue;
-        names = realloc(names, (count + 1) * sizeof *names);
-        if (!names || asprintf(&names[count++], "%s/%s", folder, entry->d_name) < 0)
-            fail("out of memory");
+        names = enlarge(names, count + 1, sizeof *names);
+        names[count++] = formatted("%s/%s", folder, entry->d_name);
     }
     if (entries)
         closedir(entries);
@@ -166,11 +163,9 @@ struct iio *iio_open(const char *lights)
     struct iio *iio = allocate(1, sizeof *iio);
     iio->folder = (char *)folder;
     if (is_accelerometer(iio))
-        iio->folder = strdup(folder);
+        iio->folder = copied(folder);
     else if (!find_device(iio, folder))
         fail("--lights %s: no accelerometer is in %s; where it is elsewhere: --lights iio:FOLDER", lights, folder);
-    if (!iio->folder)
-        fail("out of memory");
     read_offset(iio);
     read_scale(iio);
     read_mount(iio);

@@ -38,9 +38,7 @@ struct stream_stats *stats_new(const struct sink *sink)
 {
     struct stream_stats *stats = allocate(1, sizeof *stats);
     stats->sink = sink->kind->name;
-    stats->device = strdup(sink->name); /* the sink may be gone when the figures are printed */
-    if (!stats->device)
-        fail("out of memory");
+    stats->device = copied(sink->name); /* the sink may be gone when the figures are printed */
     for (unsigned i = 0; i < USB_RATES; i++)
         stats->links[stats->link_count++] = (struct link){"USB", usb_costs[i]};
     if (sink->cost.bytes_per_s > 0)

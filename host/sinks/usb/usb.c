@@ -191,9 +191,7 @@ static int send_whole(struct usb_sink *usb, const struct frame *frame, struct gu
 {
     const size_t line = gud_line_bytes(usb->choice.format, frame->width);
     const uint16_t lines = (uint16_t)(usb->choice.max_bytes / line);
-    uint8_t *data = malloc(usb->choice.max_bytes);
-    if (!data)
-        fail("%s: out of memory", usb->name);
+    uint8_t *data = allocate(usb->choice.max_bytes, 1);
     int fault = 0;
     for (unsigned y = 0; y < frame->height && !fault; y += lines) { /* y + lines may be more than 16 bits hold */
         const uint16_t left = (uint16_t)(frame->height - y);
@@ -297,8 +295,7 @@ static void usb_close(struct sink *sink)
 static char *usb_library(void)
 {
     const struct libusb_version *version = libusb_get_version();
-    char *text;
-    return asprintf(&text, "libusb %u.%u.%u", version->major, version->minor, version->micro) < 0 ? NULL : text;
+    return formatted("libusb %u.%u.%u", version->major, version->minor, version->micro);
 }
 
 static const struct argp *const usb_argps[] = {&usb_options_argp, NULL};

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/memory.h"
 #include "base/message.h"
 #include "sinks/wires/chips.h"
 #include "sinks/wires/device.h"
@@ -177,7 +178,7 @@ struct gpio_found gpio_find(const char *chip, const struct gpio_line_wish *wish)
     const char *text = wish->text + (*wish->text == '!');
     struct gpio_chips chips = chips_open(wish);
     const char *colon = strrchr(text, ':'); /* a path or label may hold one, too */
-    char *before = colon ? strndup(text, (size_t)(colon - text)) : NULL;
+    char *before = colon ? copied_part(text, (size_t)(colon - text)) : NULL;
     const unsigned named = before ? chip_called(&chips, before) : chips.count;
     const unsigned given = chip ? chip_called(&chips, chip) : chips.count;
     struct gpio_found found;

@@ -2,7 +2,7 @@
  * Sink gpio: a panel whose every wire is a GPIO line. */
 #include <stdlib.h>
 
-#include "base/message.h"
+#include "base/memory.h"
 #include "sinks/panel/options.h"
 #include "sinks/wires/chip.h"
 #include "sinks/wires/display.h"
@@ -15,10 +15,7 @@ static struct sink *open_gpio(const struct sink_wish *wish)
 
 static char *library(void)
 {
-    char *text;
-    if (asprintf(&text, "libgpiod %s", gpio_library_version()) < 0)
-        fail("out of memory");
-    return text;
+    return formatted("libgpiod %s", gpio_library_version());
 }
 
 static const struct argp *const options[] = {&panel_options_argp, &gpio_options_argp, &gpio_line_options_argp, NULL};

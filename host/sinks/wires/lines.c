@@ -170,7 +170,7 @@ static json_t *list_closed(const char *name, int reason)
 {
     char path[PATH_ROOM];
     snprintf(path, sizeof path, "/dev/%s", name);
-    char *why = reason == EACCES ? device_permission(path) : strdup(strerror(reason));
+    char *why = reason == EACCES ? device_permission(path) : copied(strerror(reason));
     json_t *chip = json_pack("{s:s, s:s}", "chip", name, "error", why);
     free(why);
     return chip;
@@ -190,8 +190,8 @@ json_t *gpio_lines_list(void)
 
 static void print_text(FILE *stream, const char *before, const char *text, const char *after)
 {
-    char *line = strdup(text ? text : "");
-    fprintf(stream, "%s%s%s", before, line ? one_line(line) : "", after);
+    char *line = copied(text ? text : "");
+    fprintf(stream, "%s%s%s", before, one_line(line), after);
     free(line);
 }
 

@@ -9,6 +9,7 @@
 #include <sys/stat.h>
 
 #include "base/argp.h"
+#include "base/memory.h"
 #include "base/message.h"
 #include "base/parse.h"
 #include "sinks/panel/options.h"
@@ -102,14 +103,6 @@ struct said {
 };
 static struct said by_user, by_file;
 static const char *config_path;
-
-static char *copied(const char *text)
-{
-    char *copy = strdup(text);
-    if (!copy)
-        fail("out of memory");
-    return copy;
-}
 
 static void say_line(const struct argp_state *state, struct said *said, const char *origin, const char *role,
                      const char *text)

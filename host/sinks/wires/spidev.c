@@ -9,6 +9,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "base/memory.h"
 #include "base/message.h"
 #include "sinks/wires/device.h"
 
@@ -76,8 +77,8 @@ static json_t *list_device(const char *name)
     const int reason = errno;
     if (descriptor >= 0)
         close(descriptor);
-    char *why = reason == EACCES ? device_permission(path) : strdup(strerror(reason));
-    json_t *device = json_pack("{s:s, s:s}", "device", path, "error", why ? why : "");
+    char *why = reason == EACCES ? device_permission(path) : copied(strerror(reason));
+    json_t *device = json_pack("{s:s, s:s}", "device", path, "error", why);
     free(why);
     return device;
 }
