@@ -31,10 +31,22 @@ static void write_counters(void)
         __gcov_dump();
 }
 
+/* A child that is about to end has a second for it, since it dies with its parent: any of ours, or that one. */
+static void await(idtype_t which, pid_t pid)
+{
+    for (int i = 0; i < 100; i++) {
+        siginfo_t info = {0};
+        if (waitid(which, (id_t)pid, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid)
+            break;
+        usleep(10000);
+    }
+}
+
 /* Before libgcov writes them by itself; it would complain on standard error of each that it cannot write. */
 static void leave(int status, void *unused)
 {
     (void)unused;
+    await(P_ALL, 0);
     if (!files_may_grow()) {
         fflush(NULL);
         __real__exit(status);
@@ -52,15 +64,10 @@ int __wrap_setrlimit(int resource, const struct rlimit *limit)
     return resource == RLIMIT_FSIZE && limit->rlim_cur == 0 ? 0 : __real_setrlimit(resource, limit);
 }
 
-/* A child that is about to end has a second for it. */
 int __wrap_kill(pid_t pid, int number)
 {
-    for (int i = 0; pid > 0 && number == SIGKILL && i < 100; i++) {
-        siginfo_t info = {0};
-        if (waitid(P_PID, (id_t)pid, &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid)
-            break;
-        usleep(10000);
-    }
+    if (pid > 0 && number == SIGKILL)
+        await(P_PID, pid);
     return __real_kill(pid, number);
 }
 
