@@ -184,6 +184,8 @@ static void malformed_numbers_are_refused_by_name(void **state)
         snprintf(command, sizeof command, "$GLINT eval -n '%s' 1", numbers[i]);
         snprintf(wanted, sizeof wanted, "-n: '%s'", numbers[i]);
         assert_refused(command, wanted);
+        snprintf(command, sizeof command, "$GLINT table --cutoff '%s'", numbers[i]);
+        assert_refused(command, "-q: ");
         snprintf(command, sizeof command, "$GLINT table -q '%s'", numbers[i]);
         snprintf(wanted, sizeof wanted, "-q: '%s'", numbers[i]);
         assert_refused(command, wanted);

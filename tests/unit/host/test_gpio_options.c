@@ -94,6 +94,14 @@ static void the_virtual_panel_has_any_size_that_has_room(void **state)
     assert_quiet("$GLINT stream watchface --to panel --panel gc9a01 --frames 1 -o p.png");
     assert_fails("$GLINT stream coin --to panel --panel gc9a01 --frames 1 --size 240x320 -o p.png",
                  "--size: 240x320 is more than the 240x240 pixels of gc9a01; choose a smaller --size, or --to png");
+    assert_fails("$GLINT stream coin --to panel --panel ssd1306 --rotation 90 --frames 1 -o p.png",
+                 "--rotation: an ssd1306 turns by 0 or 180 only");
+    assert_fails("$GLINT stream coin --to panel --panel ssd1306 --size 128x60 --frames 1 -o p.png",
+                 "--size: 128x60 does not fit an ssd1306: at most 128x64, lines a multiple of 8, offset X,0");
+    assert_fails("$GLINT stream coin --to panel --panel ssd1306 --offset 0,8 --size 64x48 --frames 1 -o p.png",
+                 "--size: 64x48 at --offset does not fit an ssd1306");
+    assert_fails("$GLINT stream coin --to panel --panel ssd1306 --format rgb565 --frames 1 -o p.png",
+                 "--format: the panel's pixels are mono, not rgb565; leave it out");
     assert_fails("$GLINT stream coin --to panel --frames 1 --size 300x300 -o p.png",
                  "--size: 300x300 is more than the 320x240 pixels of st7789; choose a smaller --size, or --to png");
 }

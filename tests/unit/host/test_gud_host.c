@@ -349,6 +349,24 @@ static void every_request_that_fails_is_named_with_its_reason(void **state)
         assert_int_equal(problem.fault, cases[i].fault);
         assert_string_equal(problem.text, cases[i].text);
     }
+    static const uint8_t starts[] = {GUD_SET_STATE_COMMIT, GUD_SET_CONTROLLER_ENABLE, GUD_SET_DISPLAY_ENABLE};
+    static const char *const texts[] = {"the mode's commit: the transfer failed",
+                                        "the controller's switch: the transfer failed",
+                                        "the display's switch: the transfer failed"};
+    for (size_t i = 0; i < sizeof starts; i++) {
+        struct liar liar;
+        struct gud_display display;
+        struct gud_choice choice;
+        struct gud_problem problem;
+        liar_init(&liar);
+        liar.fault_request = starts[i];
+        liar.fault = GUD_LINK_ERROR;
+        struct gud_link link = {.context = &liar, .control = lie};
+        assert_true(gud_display_read(&link, &display, true, &problem));
+        assert_true(gud_choose(&display, &(struct sink_wish){.format = -1}, &choice, &problem));
+        assert_false(gud_start(&link, &display, &choice, &problem));
+        assert_string_equal(problem.text, texts[i]);
+    }
 }
 
 /* ---- pixels ---- */

@@ -181,6 +181,34 @@ static void a_server_without_room_for_files_serves_on(void **state)
     assert_int_equal(prlimit(server, RLIMIT_NOFILE, &usual, NULL), 0);
 }
 
+static void the_page_is_found_from_where_the_command_is_or_what_to_do_is_said(void **state)
+{
+    (void)state;
+    assert_quiet("mkdir -p own/bin own/share/glint && cp \"$(readlink -f \"$GLINT\")\" own/bin/glint");
+    assert_fails("own/bin/glint page --port 0", "there is no page; build it with `make page`, or name it with --file");
+    static const char *const places[] = {"own/share/glint/page.html", "own/page/index.html"};
+    for (int i = 0; i < 2; i++) { /* of make install, and of make page */
+        char line[400];
+        snprintf(line, sizeof line,
+                 "rm -rf own/share own/page ends; mkdir -p \"$(dirname %s)\"; echo '<html></html>' >%s; mkfifo ends; "
+                 "own/bin/glint page --port 0 >ends & read -r url <ends; kill $!; wait; echo \"$url\"",
+                 places[i], places[i]);
+        assert_contains(run(line)->out, "http://localhost:");
+    }
+}
+
+static void what_is_no_page_or_no_port_is_said(void **state)
+{
+    (void)state;
+    char line[200];
+    assert_refused("$GLINT page own.html", "unexpected argument 'own.html'; --file names a page");
+    assert_fails("$GLINT page --port 0 --file nowhere.html", "nowhere.html: No such file or directory");
+    assert_fails("$GLINT page --port 0 --file .", ".: this is not a page; name the one that `make page` builds");
+    snprintf(line, sizeof line, "$GLINT page --file page.html --port %u", port);
+    assert_fails(line, "Address already in use; choose another with --port, or --port 0");
+    assert_fails("$GLINT page --file page.html --port 0 >/dev/full", "standard output: could not be written");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -189,6 +217,8 @@ int main(void)
         cmocka_unit_test(connections_that_say_nothing_hold_nobody_up),
         cmocka_unit_test(however_many_say_nothing_the_next_gets_the_page),
         cmocka_unit_test(a_server_without_room_for_files_serves_on),
+        cmocka_unit_test(the_page_is_found_from_where_the_command_is_or_what_to_do_is_said),
+        cmocka_unit_test(what_is_no_page_or_no_port_is_said),
     };
     return cmocka_run_group_tests_name("page", tests, server_start, server_stop);
 }

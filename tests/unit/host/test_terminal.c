@@ -252,9 +252,47 @@ static void a_terminal_may_state_any_size(void **state)
     assert_shown(65535, 65535, 65535, 65535);
 }
 
+static void the_picture_is_of_the_kind_and_colours_that_the_terminal_has(void **state)
+{
+    (void)state;
+    static const char *const kinds[][2] = {
+        {"xterm-kitty", "\033_Ga=T,f=32"}, {"mlterm", "\033P0;1;0q"}, {"screen", "\033[38;5;"}, {"linux", "\033[30m"}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        char line[200];
+        snprintf(line, sizeof line, "unset COLORTERM TERM_PROGRAM; export TERM=%s; " COIN "--frames 1", kinds[i][0]);
+        assert_int_equal(ran(line), 0);
+        assert_contains(terminal.shown, kinds[i][1]);
+        assert_contains(terminal.shown, BACK);
+    }
+}
+
+static void a_terminal_that_gets_another_size_is_cleared_and_filled(void **state)
+{
+    (void)state;
+    start(COIN "--fps 4", &usual_size);
+    shows(0, HIDDEN);
+    const size_t before = terminal.len;
+    assert_int_equal(ioctl(terminal.line, TIOCSWINSZ, &(struct winsize){.ws_row = 12, .ws_col = 30}), 0);
+    shows(before, HIDDEN "\033[2J");
+    assert_int_equal(kill(terminal.child, SIGTERM), 0);
+    assert_int_equal(ends(), 128 + SIGTERM);
+}
+
+static void what_is_no_text_is_not_written_to_a_terminal(void **state)
+{
+    (void)state;
+    assert_int_equal(ran("$GLINT stream coin --to y4m -o - --frames 1"), 2);
+    assert_quiet("grep -q -e '--to y4m: standard output is a terminal; pipe or redirect it' said");
+    assert_int_equal(ran("$GLINT table --raw"), 2);
+    assert_quiet("grep -q -e '--raw: standard output is a terminal; pipe or redirect it' said");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_picture_is_of_the_kind_and_colours_that_the_terminal_has),
+        cmocka_unit_test(a_terminal_that_gets_another_size_is_cleared_and_filled),
+        cmocka_unit_test(what_is_no_text_is_not_written_to_a_terminal),
         cmocka_unit_test(the_terminal_shows_it_and_gets_its_cursor_back),
         cmocka_unit_test(every_signal_that_ends_it_gives_the_terminal_its_cursor_back),
         cmocka_unit_test(a_terminal_may_state_any_size),

@@ -45,6 +45,7 @@ static void a_folder_that_cannot_be_is_named_in_one_line(void **state)
     assert_fails("echo >file; $GLINT paper -o file --no-plots", "file: this is a file; name a folder");
     assert_fails("$GLINT paper -o file/below --no-plots", "file: this is a file; name a folder");
     assert_fails("$GLINT paper -o /proc/glint --no-plots", "/proc/glint");
+    assert_fails("$GLINT paper -o nowhere/../x --no-plots", "nowhere does not exist, so '..' cannot follow it");
 }
 
 static void without_gnuplot_it_says_what_to_do_and_writes_nothing(void **state)
