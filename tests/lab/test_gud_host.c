@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <time.h>
 #include <unistd.h>
 
 enum { WIDTH = 61, HEIGHT = 47, FRAME = 2 * WIDTH * HEIGHT, TIMEOUT_MS = 2000 };
@@ -226,6 +227,51 @@ static void wrong_requests_are_refused(void **state)
     assert_grey(0, 0, WIDTH, HEIGHT, 255);
 }
 
+static void a_moment(void)
+{
+    nanosleep(&(struct timespec){.tv_nsec = 100000000}, NULL);
+}
+
+/* It is stopped (Ctrl-Z) while the host asks, until nobody waits for the answer any more. */
+static void give_up_on(bool in)
+{
+    uint8_t data[30] = {1};
+    plug_in();
+    kill(gadget.pid, SIGSTOP);
+    assert_int_equal(in ? control(0xc1, 0x01, data, sizeof data) : control(0x41, 0x63, data, 1), -1);
+}
+
+/* Also where the signal is there before it goes on. */
+static void a_host_that_gave_up_on_a_request_does_not_keep_it_from_ending(void **state)
+{
+    for (unsigned i = 0; i < 4; i++) {
+        give_up_on(i % 2);
+        if (i / 2)
+            kill(gadget.pid, SIGTERM);
+        kill(gadget.pid, SIGCONT);
+        a_moment();
+        assert_int_equal(process_end(&gadget, i / 2 ? 0 : SIGTERM), 0);
+        clean(state);
+    }
+}
+
+static void stopped_and_continued_within_a_request_it_answers_the_next(void **state)
+{
+    for (unsigned in = 0; in < 2; in++) {
+        give_up_on(in);
+        for (unsigned i = 0; i < 2; i++) {
+            kill(gadget.pid, SIGCONT);
+            a_moment();
+            kill(gadget.pid, SIGSTOP);
+            a_moment();
+        }
+        kill(gadget.pid, SIGCONT);
+        assert_int_equal(status(), 0);
+        assert_int_equal(process_end(&gadget, SIGTERM), 0);
+        clean(state);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -235,6 +281,8 @@ int main(void)
         cmocka_unit_test_teardown(disabled_amid_a_rectangle_it_draws_the_one_after, clean),
         cmocka_unit_test_teardown(wrong_requests_are_refused, clean),
         cmocka_unit_test_teardown(a_bus_reset_forgets_what_the_host_had_set, clean),
+        cmocka_unit_test_teardown(a_host_that_gave_up_on_a_request_does_not_keep_it_from_ending, clean),
+        cmocka_unit_test_teardown(stopped_and_continued_within_a_request_it_answers_the_next, clean),
     };
     return cmocka_run_group_tests_name("gud host", tests, NULL, NULL);
 }

@@ -38,6 +38,9 @@ static bool configured, ending, reading, stopping;
 static bool broken;
 static unsigned long reads; /* finished */
 
+static sigset_t end_signals; /* the signals that end the program */
+static volatile sig_atomic_t is_to_end;
+
 /* ---- descriptors ---- */
 
 #define INTERFACE                                                                                                      \
@@ -194,6 +197,29 @@ static void stall(bool in)
         warn("a request cannot be refused: %s", strerror(errno));
 }
 
+static void end(int number)
+{
+    (void)number;
+    is_to_end = true;
+    alarm(1); /* the signal may have come just before the transfer began to wait */
+}
+
+/* The data of a request, which wait for the host: for ever where it has given up, so signals end that, too. Stopped and continued, it waits
+ * again, since FunctionFS takes nothing else before. */
+static ssize_t transfer(bool in, uint8_t *data, size_t count)
+{
+    ssize_t result = -1;
+    errno = EINTR;
+    pthread_sigmask(SIG_UNBLOCK, &end_signals, NULL);
+    while (result < 0 && errno == EINTR && !is_to_end)
+        result = in ? write(control, data, count) : read(control, data, count);
+    const int error = errno;
+    pthread_sigmask(SIG_BLOCK, &end_signals, NULL);
+    alarm(0);
+    errno = error;
+    return result;
+}
+
 static void answer(const struct usb_ctrlrequest *request)
 {
     const struct gud_setup setup = {.type = request->bRequestType,
@@ -219,11 +245,11 @@ static void answer(const struct usb_ctrlrequest *request)
         return;
     }
     if (in) {
-        if (write(control, reply, (size_t)length) < 0 && errno != EIDRM && errno != ESHUTDOWN)
+        if (transfer(in, reply, (size_t)length) < 0 && errno != EIDRM && errno != ESHUTDOWN && errno != EINTR)
             warn("request %02x cannot be answered: %s", setup.request, strerror(errno));
         return;
     }
-    if (read(control, data, (size_t)length) != length)
+    if (transfer(in, data, (size_t)length) != length)
         return; /* the host sent another request, or left */
     pthread_mutex_lock(&lock);
     const bool good = function->set(function->context, &setup, data);
@@ -283,12 +309,16 @@ static void ignore(int number)
 
 void functionfs_hold_signals(void)
 {
-    static const int held[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGUSR1};
-    sigset_t set;
-    sigemptyset(&set);
-    for (size_t i = 0; i < sizeof held / sizeof *held; i++)
-        sigaddset(&set, held[i]);
+    static const int ending_ones[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM};
+    const struct sigaction ended = {.sa_handler = end}; /* without SA_RESTART, as below */
+    sigemptyset(&end_signals);
+    for (size_t i = 0; i < sizeof ending_ones / sizeof *ending_ones; i++)
+        sigaddset(&end_signals, ending_ones[i]);
+    sigset_t set = end_signals;
+    sigaddset(&set, SIGUSR1);
     pthread_sigmask(SIG_BLOCK, &set, NULL);
+    for (size_t i = 0; i < sizeof ending_ones / sizeof *ending_ones; i++)
+        sigaction(ending_ones[i], &ended, NULL);
     const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART: the read returns */
     sigaction(INTERRUPT, &interrupt, NULL);
     signal(SIGPIPE, SIG_IGN); /* without a reader of the messages it goes on, and takes the gadget down at the end */
@@ -308,7 +338,7 @@ static int open_endpoint(const char *folder, const char *name, int flags)
 static void serve(void (*dump)(void *context))
 {
     struct pollfd files[] = {{.fd = control, .events = POLLIN}, {.fd = signals, .events = POLLIN}};
-    for (;;) {
+    while (!is_to_end) {
         const int ready = poll(files, 2, REPLUG_MS);
         if (ready < 0)
             continue; /* interrupted: revents are stale */
@@ -316,7 +346,7 @@ static void serve(void (*dump)(void *context))
             configfs_plug();
         if (files[0].revents & (POLLIN | POLLHUP | POLLERR))
             take_events();
-        if (files[1].revents & POLLIN) {
+        if (!is_to_end && files[1].revents & POLLIN) { /* what ended a transfer is gone */
             struct signalfd_siginfo signal;
             if (read(signals, &signal, sizeof signal) == (ssize_t)sizeof signal && signal.ssi_signo != SIGUSR1)
                 return;
