@@ -44,13 +44,19 @@ static unsigned rank(uint8_t format)
     return pixels == GLINT_GREY8 || pixels == GLINT_MONO ? 100 : (unsigned)gud_line_bytes((enum gud_format)format, 1);
 }
 
+/* By the name of its pixels in the library, or by its own, as `glint list` shows it. */
+static bool is_wanted(uint8_t format, int wanted)
+{
+    return wanted < 0 || gud_glint_format(format) == wanted || !strcmp(gud_format_name(format), format_names[wanted]);
+}
+
 static bool choose_format(const struct gud_display *display, int wanted, struct gud_choice *choice,
                           struct gud_problem *problem)
 {
     int best = -1;
     for (size_t i = 0; i < display->format_count; i++) {
         const uint8_t format = display->formats[i];
-        if (gud_glint_format(format) >= 0 && (wanted < 0 || gud_glint_format(format) == wanted) &&
+        if (gud_glint_format(format) >= 0 && is_wanted(format, wanted) &&
             (best < 0 || rank(format) < rank((uint8_t)best)))
             best = format;
     }

@@ -220,6 +220,10 @@ static void the_preferred_mode_and_the_smallest_colour_are_chosen_unless_others_
     assert_int_equal(choice.format, GUD_XRGB8888);
     assert_int_equal(choice.mode.vdisplay, 240);
     assert_int_equal(choice.max_bytes, 5000);
+    assert_true(
+        gud_choose(&display, &(struct sink_wish){.format = GLINT_XRGB8888}, &choice, &problem)); /* as it is listed */
+    assert_int_equal(choice.format, GUD_XRGB8888);
+    assert_int_equal(choice.pixels, GLINT_RGB888);
     assert_false(gud_choose(&display, &(struct sink_wish){.format = GLINT_GREY8}, &choice, &problem));
     assert_string_equal(problem.text, "it does not take grey8; it offers mono, xrgb8888, rgb565");
     assert_false(
