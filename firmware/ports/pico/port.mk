@@ -101,7 +101,7 @@ have-pico-choices:
 	@case "$$LANDING_PAGE" in '') ;; *[!A-Za-z0-9._~:/?%=\&+,@-]*) false ;; https://?* | http://localhost | http://localhost[:/]*) [ $${#LANDING_PAGE} -le 252 ] ;; *) false ;; esac || \
 		{ printf 'make: LANDING_PAGE=%s: browsers take https://... or http://localhost..., this one of at most 252 letters, digits and ._~:/?%%=&+,@-\n' "$$LANDING_PAGE" >&2; exit 1; }
 	@$(if $(filter $(PICO_DEMOS),$(DEMO)),,echo "make: DEMO=$(DEMO): the demos are $(PICO_DEMOS)" >&2; exit 1)
-	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint $(PICO_AMOLED_MESHES),$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: "$(call quoted,$(if $(MESH),MESH=$(MESH),DEMO=teapot))": is for an RP2040 with a panel of 240x240$(COMMA) or an AMOLED panel$(COMMA) whole with one core; leave TE, PATH and IMAGE out" >&2; exit 1))
+	@$(if $(PICO_MESH),$(if $(filter rp2040.240x240.0.glint $(PICO_AMOLED_MESHES),$(call pico_fact,3).$(PICO_SIZE).$(PICO_EXACT)$(TE).$(IMAGE)),,echo "make: "$(call quoted,$(if $(MESH),MESH=$(MESH),DEMO=teapot))": is for an RP2040 with a panel of 240x240$(COMMA) or an AMOLED panel$(COMMA) whole with one core; leave TE, PATH, IMAGE and ARCH out" >&2; exit 1))
 	@$(if $(word 2,$(MESH)),echo "make: "$(call quoted,MESH=$(MESH))": make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(word 2,$(HEIGHT)),echo "make: "$(call quoted,HEIGHT=$(HEIGHT))": make takes no file whose name has a blank; rename it" >&2; exit 1)
 	@$(if $(and $(BEVEL),$(if $(HEIGHT),,1)),echo "make: BEVEL=$(BEVEL): is for a logo; give HEIGHT=FILE with it" >&2; exit 1)
