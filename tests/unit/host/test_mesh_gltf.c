@@ -101,6 +101,32 @@ static void numbers_beyond_their_view_or_too_few_are_refused(void **state)
     assert_edited_fails("s/\"indices\":1/\"indices\":99/", "it is damaged");
     assert_edited_fails("s/\"mesh\":0/\"mesh\":1/", "it is damaged");
     assert_edited_fails("s/{\"mesh\":0}/{\"mesh\":0,\"children\":[0]}/", "it is damaged");
+    assert_edited_fails("s/\"accessors\":.{\"bufferView\":0,/\"accessors\":[{/", "it is damaged");
+    assert_edited_fails("s/\"accessors\":.{/&\"byteOffset\":-4,/", "it is damaged");
+    assert_edited_fails("s/\"byteLength\":48/\"byteLength\":\"48\"/", "it is damaged");
+    assert_edited_fails("s/\"byteStride\":20/\"byteStride\":null/;s/\"POSITION\":0/\"POSITION\":6/", "it is damaged");
+    assert_edited_fails("s/\"count\":12/\"count\":2/", "it is damaged"); /* not a triangle */
+    assert_edited_fails("s/\"type\":\"VEC3\"/\"type\":3/", "it is damaged");
+}
+
+static void what_is_not_what_a_gltf_has_there_is_refused(void **state)
+{
+    (void)state;
+    static const char *const edits[] = {"s/\"POSITION\":0,//",
+                                        "s/\"NORMAL\":2/\"NORMAL\":\"2\"/",
+                                        "s/\"attributes\":{[^}]*}/\"attributes\":7/",
+                                        "s/\"primitives\":.{/\"primitives\":[7,{/",
+                                        "s/\"indices\":1/&,\"mode\":7/",
+                                        "s/\"indices\":1/&,\"mode\":\"4\"/",
+                                        "s/\"indices\":1/\"indices\":-1/",
+                                        "s/\"primitives\":.\\(.*\\)],\"buffers\"/\"primitives\":{}}],\"buffers\"/",
+                                        "s/\"nodes\":.0./\"nodes\":[0.5]/",
+                                        "s/\"nodes\":.0./\"nodes\":[1]/",
+                                        "s/\"mesh\":0/\"mesh\":[0]/",
+                                        "s/\"scene\":0/\"scene\":{}/",
+                                        "s/\"asset\":{[^}]*}/\"asset\":{}/"};
+    for (size_t i = 0; i < sizeof edits / sizeof *edits; i++)
+        assert_edited_fails(edits[i], "it is damaged");
 }
 
 static void a_triangle_with_a_corner_that_the_file_does_not_have_is_refused(void **state)
@@ -246,6 +272,14 @@ static void sparse_numbers_are_read_where_libassimp_reads_them(void **state)
     assert_drawn_alike("s/\"VEC3\"/&" SPARSE(4, 1, "") "/", "");
     assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, 5, "") "/", kind);
     assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, 1, ",\"byteOffset\":40") "/", kind);
+    assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, 0, "") "/", kind);
+    assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, "1", "") "/", kind);
+    assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, 1, "") "/;s/5121},\"values\"/5126},\"values\"/", kind);
+    assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, 1, "") "/;s/,\"componentType\":5121},\"values\"/},\"values\"/", kind);
+    assert_edited_fails("s/\"VEC3\"/&" SPARSE(4, 1, "") "/;s/\"values\":{\"bufferView\":0}/\"values\":{}/", kind);
+    assert_drawn_alike("s/\"VEC3\"/&" SPARSE(4, 1, "") "/;s/\"bufferView\":1,\"componentType\":5121/"
+                                                       "\"bufferView\":1,\"byteOffset\":0,\"componentType\":5123/",
+                       "");
     assert_edited_fails("s/\"bufferView\":0,\\(.*\"count\":4,\"type\":\"VEC3\"\\)},{\"bufferView\":1/"
                         "\"bufferView\":5,\\1" SPARSE(4, 1, "") "},{\"bufferView\":1/", /* in steps */
                         kind);
@@ -289,6 +323,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(numbers_that_libassimp_takes_for_others_are_refused),
         cmocka_unit_test(numbers_beyond_their_view_or_too_few_are_refused),
+        cmocka_unit_test(what_is_not_what_a_gltf_has_there_is_refused),
         cmocka_unit_test(a_triangle_with_a_corner_that_the_file_does_not_have_is_refused),
         cmocka_unit_test(what_a_gltf_requires_and_glint_does_not_carry_out_is_refused),
         cmocka_unit_test(skeletons_and_morph_targets_with_weights_are_refused),
