@@ -109,6 +109,7 @@ static error_t parse_option(int key, char *argument, struct argp_state *state)
         return 0;
     case KEY_SHININESS:
         request->look.shading.n = (unsigned)parse_integer(state, "-n", argument, 1, GLINT_N_MAX);
+        request->look.roughness = NAN;
         return 0;
     case KEY_CUTOFF:
         request->look.shading.q = (unsigned)parse_integer(state, "-q", argument, 0, GLINT_Q_MAX);

@@ -126,6 +126,7 @@ static void roughness_is_the_shininess_of_gltf(void **state)
     assert_int_equal(run("$GLINT material --roughness 1.1")->status, 2);
     assert_refused("$GLINT material --roughness .05 --material nope", "unknown material 'nope'");
     assert_refused("$GLINT table --roughness .05 --raw --name a", "--name is for C source");
+    assert_quiet("$GLINT table --roughness .05 --shininess 60 -o a.h && $GLINT table -n 60 -o b.h && cmp a.h b.h");
     assert_quiet("$GLINT material --roughness .05 -n 60 --json | grep -q '\"n\": 60,'");
 }
 
