@@ -415,13 +415,15 @@ static void a_lit_ball_is_within_42_decibels_of_double_precision(void **state)
     assert_true(nearest >= 42 && smooth >= 42);
 }
 
-/* Each picture of the chain has a colour of its own: a square of 64 texels that is drawn ever smaller. */
-static void a_texture_that_is_drawn_smaller_takes_a_smaller_picture(void **state)
+/* Each picture of the chain has a colour of its own: a square of 64 texels that is drawn ever smaller, upright or less of it, turned,
+ * also from a chain that ends sooner. */
+static void assert_smaller_pictures(bool turned, unsigned levels)
 {
-    (void)state;
     static uint16_t chain[SIDE * SIDE * 4 / 3 + 8], out[MESH_H][MESH_W];
     const struct look look = bare(GLINT_RGB565);
-    struct glint_texture texture = {.pixels = chain, .w = SIDE, .h = SIDE, .levels = 7};
+    struct glint_texture texture = {.pixels = chain, .w = SIDE, .h = SIDE, .levels = (uint8_t)levels};
+    static const unsigned uv[2][3][2] = {{{0, 4}, {4, 4}, {0, 0}}, {{0, 2}, {2, 3}, {1, 0}}}; /* quarters */
+    const unsigned texels = turned ? SIDE * SIDE * 5 / 16 : SIDE * SIDE;
     struct glint_paint paint;
     uint16_t *at = chain;
     for (unsigned level = 0, side = SIDE; level < 7; level++, side /= 2)
@@ -439,22 +441,69 @@ static void a_texture_that_is_drawn_smaller_takes_a_smaller_picture(void **state
             mesh.places[i][1] = i == 2 ? 16384 : -16384;
             mesh.normals[i][2] = 32767;
             mesh.faces[0][i] = (uint16_t)i;
-            mesh.uv[i][0] = i == 1 ? 1 << BITS : 0;
-            mesh.uv[i][1] = i == 2 ? 0 : 1 << BITS;
+            mesh.uv[i][0] = (uint16_t)(uv[turned][i][0] << (BITS - 2));
+            mesh.uv[i][1] = (uint16_t)(uv[turned][i][1] << (BITS - 2));
         }
         memset(out, 0, sizeof out);
         mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
         unsigned level = 0;
-        while (level < 6 && SIDE * SIDE / (double)(size * size) >= 2 * pow(4, level))
+        while (level + 1 < levels && texels / (double)(size * size) >= 2 * pow(4, level))
             level++;
         const uint16_t drawn = out[MESH_H / 2][MESH_W / 2 - 1];
-        const double near_step = fmod(2 * log2(SIDE / (double)size), 2) - 1;
+        const double near_step = fmod(log2(texels / (double)(size * size)) + 4, 2) - 1;
         if (fabs(near_step) > .02)
             assert_int_equal(drawn, level + 1);
         texture.levels = 1; /* without a chain */
         mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
         assert_int_equal(out[MESH_H / 2][MESH_W / 2 - 1], 1);
-        texture.levels = 7;
+        texture.levels = (uint8_t)levels;
+    }
+}
+
+static void a_texture_that_is_drawn_smaller_takes_a_smaller_picture(void **state)
+{
+    (void)state;
+    assert_smaller_pictures(false, 7);
+    assert_smaller_pictures(false, 3);
+    assert_smaller_pictures(true, 7);
+    assert_smaller_pictures(true, 2);
+}
+
+/* Three faces side by side, each a part. */
+static void each_part_has_the_texture_of_its_own(void **state)
+{
+    (void)state;
+    static uint16_t texels[3] = {0x1234, 0x5678, 0x0abc}, out[MESH_H][MESH_W];
+    static const uint16_t ends[3] = {1, 2, 3};
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_texture textures[3];
+    struct glint_paint paints[3];
+    for (int with_tables = 0; with_tables < 2; with_tables++) {
+        mesh_made(&mesh, 9, 3);
+        mesh.mesh.ends = ends;
+        mesh.mesh.part_count = 3;
+        mesh.mesh.textures = textures;
+        mesh.mesh.uv = &mesh.uv[0][0];
+        mesh.mesh.uv_bits = BITS;
+        mesh.pose.scale = 16 * 80;
+        for (unsigned f = 0; f < 3; f++) {
+            textures[f] = (struct glint_texture){.pixels = &texels[f], .w = 1, .h = 1, .levels = 1};
+            if (with_tables)
+                paint_of_tables(&paints[f], GLINT_TABLES_ALBEDO, &look, memory);
+            else
+                paint_of(&paints[f], &look);
+            for (unsigned i = 0; i < 3; i++) {
+                const unsigned v = 3 * f + i;
+                mesh.places[v][0] = (int16_t)(8000 * ((int)f - 1) + (i == 1 ? 3000 : -3000));
+                mesh.places[v][1] = i == 2 ? 9000 : -9000;
+                mesh.normals[v][2] = 32767;
+                mesh.faces[f][i] = (uint16_t)v;
+            }
+        }
+        assert_int_equal(glint_mesh_check(&mesh.mesh), GLINT_OK);
+        mesh_picture(&mesh, paints, (uint8_t *)out, 2, whole, 1, false);
+        for (int f = 0; f < 3; f++)
+            assert_int_equal(out[MESH_H / 2 + 2][MESH_W / 2 + 80 * (8000 * (f - 1) - 1200) / 32768], texels[f]);
     }
 }
 
@@ -547,6 +596,7 @@ int main(void)
         cmocka_unit_test(bilinear_texels_are_near_those_of_double_precision),
         cmocka_unit_test(a_lit_ball_is_within_42_decibels_of_double_precision),
         cmocka_unit_test(a_texture_that_is_drawn_smaller_takes_a_smaller_picture),
+        cmocka_unit_test(each_part_has_the_texture_of_its_own),
         cmocka_unit_test(textures_that_cannot_be_drawn_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
