@@ -151,6 +151,8 @@ static void wrong_lengths_are_protocol_errors(void **state)
         assert_int_equal(get(gets[i].request, 0), GUD_STALL);
         assert_int_equal(status(), GUD_PROTOCOL);
     }
+    assert_true(get(GUD_GET_DESCRIPTOR, 30) >= 0); /* a good one leaves no status behind */
+    assert_int_equal(status(), GUD_OK);
     board.config.dimmable = false;
     assert_int_equal(set(GUD_SET_STATE_CHECK, data, GUD_DATA_BYTES), GUD_PROTOCOL);
     assert_int_equal(get(GUD_GET_CONNECTOR_PROPERTIES, 320), 0);

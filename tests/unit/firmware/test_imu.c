@@ -82,6 +82,7 @@ static void on_stop(void *context)
 static const struct imu_bus bus = {on_begin, on_ask, on_stop, NULL};
 static struct imu imu;
 static unsigned samples, losses;
+static int16_t down; /* gravity */
 
 static void put(unsigned axis, int16_t value)
 {
@@ -98,7 +99,7 @@ static void start(unsigned fault)
     imu = (struct imu){.bus = &bus};
     samples = losses = 0;
     device.registers[0] = 5;
-    put(2, IMU_ONE_G);
+    put(2, down = IMU_ONE_G);
 }
 
 static void run(unsigned ms)
@@ -114,7 +115,7 @@ static void run(unsigned ms)
         samples += news == IMU_SAMPLE;
         losses += news == IMU_LOST;
         if (news == IMU_SAMPLE && device.fault != SPINS && device.fault != OFF)
-            assert_true(sample[0] >= -5 && sample[0] <= 5 && sample[1] == -300 && sample[2] == IMU_ONE_G);
+            assert_true(sample[0] >= -5 && sample[0] <= 5 && sample[1] == -300 && sample[2] == down);
     }
 }
 
@@ -126,11 +127,26 @@ static void it_is_set_up_and_read_250_times_a_second_by_either_address(void **st
     for (unsigned other = 0; other < 2; other++) {
         start(WELL);
         device.address = other ? 0x6a : 0x6b;
+        device.registers[0x06] = 0x77; /* its own filters */
         run(100);
-        assert_true(device.registers[0x02] == 0x60 && device.registers[0x03] == 0x15 && device.registers[0x08] == 1);
+        assert_true(device.registers[0x02] == 0x60 && device.registers[0x03] == 0x15 && device.registers[0x06] == 0 &&
+                    device.registers[0x08] == 1);
         samples = 0;
         run(2000);
         assert_true(samples >= 490 && samples <= 501 && losses == 0);
+    }
+}
+
+static void what_weighs_less_than_half_for_a_second_is_no_hand(void **state)
+{
+    (void)state;
+    static const int16_t gravities[] = {IMU_ONE_G * 47 / 100, IMU_ONE_G * 53 / 100};
+    for (unsigned i = 0; i < 2; i++) {
+        start(WELL);
+        run(100);
+        put(2, down = gravities[i]);
+        run(1500);
+        assert_int_equal(losses, i == 0);
     }
 }
 
@@ -285,6 +301,7 @@ int main(void)
         cmocka_unit_test(a_bus_that_is_held_at_first_is_freed_and_not_told),
         cmocka_unit_test(what_is_read_before_the_first_sample_is_no_sample),
         cmocka_unit_test(one_that_has_reset_itself_is_set_up_again),
+        cmocka_unit_test(what_weighs_less_than_half_for_a_second_is_no_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

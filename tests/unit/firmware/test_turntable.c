@@ -257,6 +257,19 @@ static void a_quaternion_of_zero_leaves_the_last_picture(void **state)
     }
 }
 
+static void memory_of_just_its_bytes_is_enough(void **state)
+{
+    (void)state;
+    set_up(&one_core);
+    make_paint(&paint, tables);
+    const uint32_t bytes = (uint32_t)(((glint_mesh_bytes(&ball.mesh, HEIGHT) + 3) & ~(size_t)3) +
+                                      glint_mesh_frame_bytes(WIDTH, TURNTABLE_LINES));
+    turntable.memory_bytes = bytes;
+    assert_int_equal(turntable_start(&turntable), GLINT_OK);
+    turntable.memory_bytes = bytes - 1;
+    assert_int_equal(turntable_start(&turntable), GLINT_ERR_ARG);
+}
+
 static void what_it_cannot_draw_is_refused_at_the_start(void **state)
 {
     (void)state;
@@ -341,6 +354,7 @@ int main(void)
         cmocka_unit_test(a_stop_waits_for_the_interrupt_that_ends_the_last_transfer),
         cmocka_unit_test(the_other_core_waits_for_the_interrupt_that_ends_its_last_strip),
         cmocka_unit_test(a_quaternion_of_zero_leaves_the_last_picture),
+        cmocka_unit_test(memory_of_just_its_bytes_is_enough),
         cmocka_unit_test(what_it_cannot_draw_is_refused_at_the_start),
         cmocka_unit_test(two_cores_have_a_strip_for_a_last_line_by_itself),
         cmocka_unit_test(a_light_or_a_paint_that_cannot_be_is_refused_and_nothing_begins),
