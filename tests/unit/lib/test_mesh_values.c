@@ -300,6 +300,28 @@ static void what_is_clipped_is_lit_by_its_normals(void **state)
     }
 }
 
+/* It is flat: its values would have too steep a slope. */
+static void a_face_within_a_pixel_has_the_light_of_its_normals(void **state)
+{
+    (void)state;
+    static const int16_t large[3][3] = {{-32767, -32767, 0}, {32767, -32767, 0}, {0, 32767, 0}},
+                         small[3][3] = {{3584, 3584, 0}, {4608, 3584, 0}, {4096, 4608, 0}}; /* about a pixel's middle */
+    static uint8_t out[3 * MESH_W * MESH_H], expected[3 * MESH_W * MESH_H];
+    const size_t at = 3 * ((MESH_H / 2 - 1) * MESH_W + MESH_W / 2);
+    unsigned lit = 0;
+    for (int round = 0; round < 400; round++) {
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        look.output.dither = false;
+        const struct glint_vec n = random_normal(&look);
+        draw_face(&look, large, n, 0, 32768, 0, expected);
+        draw_face(&look, small, n, 0, 64, 0, out);
+        for (int k = 0; k < 3; k++)
+            assert_true(abs(out[at + (size_t)k] - expected[at + (size_t)k]) <= 1);
+        lit += memcmp(expected + at, out, 3) != 0;
+    }
+    assert_true(lit > 100);
+}
+
 /* (it + 2^13) >> 14, held between the least and the most of the corners, modulo 2^32. */
 static void a_number_across_a_triangle_is_held_between_its_corners(void **state)
 {
@@ -477,6 +499,7 @@ int main(void)
         cmocka_unit_test(a_glossy_triangle_is_flat_where_its_normals_are_more_than_90_degrees_apart),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
+        cmocka_unit_test(a_face_within_a_pixel_has_the_light_of_its_normals),
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
         cmocka_unit_test(a_colour_is_held_to_what_there_is),
         cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
