@@ -39,9 +39,8 @@ static void skip_end(struct lines *lines)
 
 static void keep(struct lines *lines, size_t *len, char byte)
 {
-    if (*len + 1 >= lines->room) {
+    if (*len + 1 >= lines->room)
         lines->line = enlarge(lines->line, lines->room *= 2, 1);
-    }
     lines->line[(*len)++] = byte;
 }
 

@@ -2,7 +2,6 @@
 #include "paper/paper.h"
 
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "base/memory.h"

@@ -309,16 +309,16 @@ static void ignore(int number)
 
 void functionfs_hold_signals(void)
 {
-    static const int ending_ones[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM};
+    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGALRM};
     const struct sigaction ended = {.sa_handler = end}; /* without SA_RESTART, as below */
     sigemptyset(&end_signals);
-    for (size_t i = 0; i < sizeof ending_ones / sizeof *ending_ones; i++)
-        sigaddset(&end_signals, ending_ones[i]);
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+        sigaddset(&end_signals, numbers[i]);
+        sigaction(numbers[i], &ended, NULL);
+    }
     sigset_t set = end_signals;
     sigaddset(&set, SIGUSR1);
     pthread_sigmask(SIG_BLOCK, &set, NULL);
-    for (size_t i = 0; i < sizeof ending_ones / sizeof *ending_ones; i++)
-        sigaction(ending_ones[i], &ended, NULL);
     const struct sigaction interrupt = {.sa_handler = ignore}; /* without SA_RESTART: the read returns */
     sigaction(INTERRUPT, &interrupt, NULL);
     signal(SIGPIPE, SIG_IGN); /* without a reader of the messages it goes on, and takes the gadget down at the end */

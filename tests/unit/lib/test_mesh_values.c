@@ -317,7 +317,7 @@ static void a_face_within_a_pixel_has_the_light_of_its_normals(void **state)
         draw_face(&look, small, n, 0, 64, 0, out);
         for (int k = 0; k < 3; k++)
             assert_true(abs(out[at + (size_t)k] - expected[at + (size_t)k]) <= 1);
-        lit += memcmp(expected + at, out, 3) != 0;
+        lit += memcmp(expected + at, out, 3) != 0; /* out's first pixel is black */
     }
     assert_true(lit > 100);
 }
