@@ -150,8 +150,8 @@ static void a_signal_ends_a_stream_that_waits_for_its_sensor(void **state)
     (void)state;
     make_tree();
     assert_ends("trap : TERM; $GLINT stream coin --size 60x40 --fps 100 --frames 9999 --to raw --lights iio:tree >a & "
-                "while ! [ -s a ]; do :; done; mkfifo pipe; mv pipe tree/iio:device2/in_accel_z_raw; sleep .1; "
-                "kill $!; wait $!",
+                "until [ -s a ] || ! kill -0 $!; do sleep .02; done; mkfifo pipe; "
+                "mv pipe tree/iio:device2/in_accel_z_raw; sleep .1; kill $!; wait $!",
                 143, "");
 }
 
