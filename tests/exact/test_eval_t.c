@@ -82,21 +82,23 @@ static long count_dense(enum glint_model model, uint32_t length)
 }
 
 /* Where the result falls from f or more to less: the last t with F >= f, and the one after. */
+static int wrong_at_step(enum glint_model model, uint32_t n, uint32_t f)
+{
+    uint32_t t = 0; /* F(0) >= f */
+    for (uint32_t bit = ONE_T / 2; bit; bit >>= 1)
+        if (glint_eval_t(model, n, t + bit) >= f)
+            t += bit;
+    return wrong_at(model, n, t) + wrong_at(model, n, t + 1);
+}
+
 static long count_steps(enum glint_model model, uint32_t per_n)
 {
     const uint32_t every = exact_every();
     long wrong = 0;
 #pragma omp parallel for schedule(dynamic) reduction(+ : wrong)
-    for (uint32_t n = 1; n <= N; n += every) {
-        for (uint32_t i = 0; i < per_n; i += every) {
-            const uint32_t f = 1 + (uint32_t)(mix(((uint64_t)n << 32) + i) % 65536);
-            uint32_t t = 0; /* F(0) >= f */
-            for (uint32_t bit = ONE_T / 2; bit; bit >>= 1)
-                if (glint_eval_t(model, n, t + bit) >= f)
-                    t += bit;
-            wrong += wrong_at(model, n, t) + wrong_at(model, n, t + 1);
-        }
-    }
+    for (uint32_t n = 1; n <= N; n += every)
+        for (uint32_t i = 0; i < per_n; i += every)
+            wrong += wrong_at_step(model, n, 1 + (uint32_t)(mix(((uint64_t)n << 32) + i) % 65536));
     return wrong;
 }
 
@@ -150,6 +152,15 @@ static void check_power(const char *name, enum glint_model model)
 #define MODEL_TEST(number, name, function, use, grain) MODEL_TEST_##use(name, number)
 GLINT_MODELS(MODEL_TEST)
 
+/* There F changes least from a t to the next, so what is off by little moves most steps. */
+static void at_the_least_shininess_values_step_where_they_must(void **state)
+{
+    (void)state;
+    for (unsigned model = 0; model < GLINT_MODEL_COUNT; model++)
+        for (uint32_t f = 1; f <= 65536 && oracles[model]->rounds_to; f += 199)
+            assert_int_equal(wrong_at_step((enum glint_model)model, 1, f), 0);
+}
+
 /* F(1), rounded. */
 static uint32_t peak_of(enum glint_model model, uint32_t n)
 {
@@ -197,6 +208,7 @@ int main(int argc, char **argv)
 #define MODEL_ENTRY_shared(name)
 #define MODEL_ENTRY(number, name, function, use, grain) MODEL_ENTRY_##use(name)
     const struct CMUnitTest tests[] = {cmocka_unit_test(arguments_out_of_range_are_clamped_or_give_zero),
+                                       cmocka_unit_test(at_the_least_shininess_values_step_where_they_must),
                                        GLINT_MODELS(MODEL_ENTRY)};
     cmocka_set_test_filter(argc > 1 ? argv[1] : chosen_tests(model_functions));
     return cmocka_run_group_tests(tests, NULL, NULL);
