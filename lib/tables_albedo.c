@@ -76,7 +76,7 @@ static void albedo_light(struct glint_paint *paint)
 
 /* ---- Drawn: the general way ---- */
 
-/* d is in Q25, negative where lit; e >= 0 within the highlight. */
+/* d is in Q25, negative where lit, |d| < 255 2^18; e >= 0 within the highlight. */
 static void albedo_raws(const struct glint_paint *paint, const uint32_t *words, struct glint_raw *raw, unsigned count)
 {
     const struct glint_tables *tables = &paint->of.tables.filled;
@@ -84,9 +84,8 @@ static void albedo_raws(const struct glint_paint *paint, const uint32_t *words, 
         const int32_t d = glint_colour_d(paint, *words);
         const uint32_t e = ((uint32_t)((int32_t)*words >> 16) << 10) - (uint32_t)paint->of.tables.cut - (uint32_t)d;
         raw->nl_q30 =
-            !(*words >> 16) ? GLINT_RAW_NOTHING
-            : d >= 0        ? -1
-                     : (int32_t)((uint32_t)(-1 - (d >> (GLINT_ALBEDO_LEVEL_SHIFT - 5))) << GLINT_ALBEDO_LEVEL_SHIFT);
+            *words >> 16 ? (int32_t)((uint32_t)(-1 - (d >> (GLINT_ALBEDO_LEVEL_SHIFT - 5))) << GLINT_ALBEDO_LEVEL_SHIFT)
+                         : GLINT_RAW_NOTHING;
         raw->back = (int32_t)e < 0 ? GLINT_RAW_OUTSIDE
                                    : (e * paint->of.tables.r) >> (32 - GLINT_ALBEDO_COLUMNS_LOG) << tables->shift;
     }
