@@ -6,8 +6,8 @@
 
 /* ---- against one light ---- */
 
-/* So one directional light, which folds into the material, gives the sums' pixels, whatever its colour is. Of one that is so dim that a highlight
- * may round to none the box is where F is, not the sum. */
+/* So one directional light, which folds into the material, gives the sums' pixels, whatever its colour is, and where its direction lies in the
+ * middle of two of Q1.15. Of one that is so dim that a highlight may round to none the box is where F is, not the sum. */
 static void a_light_of_colour_0_changes_nothing(void **state)
 {
     (void)state;
@@ -21,6 +21,8 @@ static void a_light_of_colour_0_changes_nothing(void **state)
         random_lights(lights);
         if (i % 4) {
             lights[0] = a.look.light;
+            for (int k = 0; k < 3 && i & 16; k++)
+                lights[0].direction_q30[k] = (lights[0].direction_q30[k] | 0x7fff) - 0x3fff;
             for (int k = 0; k < 3 && i % 4 > 1; k++)
                 lights[0].color_q16[k] = below(UINT32_C(1) << (10 + below(13)));
         }
