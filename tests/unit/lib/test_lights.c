@@ -265,6 +265,36 @@ static void without_lights_the_ambient_part_is_left(void **state)
     }
 }
 
+/* Of lights of a colour by which F of k is the least that does not round to 0, where the model's loop may have k - 1; the second has none. */
+static void a_pixel_is_in_the_box_of_several_lights_where_exact_f_is_not_0(void **state)
+{
+    (void)state;
+    struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    unsigned shine = 0;
+    set_model(&look, GLINT_MSH, 3, 16);
+    assert_int_equal(look_light(&look, in_front, in_front), GLINT_OK);
+    struct glint_light lights[2] = {look.light, look.light};
+    for (int i = 0; i < 5000; i++) {
+        const uint32_t k = 1 + below(60), color = (32768 + k - 1) / k;
+        const int32_t to[3] = {32768, within(2000), (int32_t)(14 * k / 5) + within(9)}; /* F is near k */
+        uint8_t out[3];
+        uint32_t nl;
+        struct glint_vec normal;
+        struct glint_box box;
+        assert_int_equal(glint_vec_normalize(&normal, to), GLINT_OK);
+        for (int c = 0; c < 3; c++) {
+            lights[0].color_q16[c] = color;
+            lights[1].color_q16[c] = 0;
+        }
+        const struct glint_maps maps = {.normals = &normal};
+        const struct glint_surface surface = {out, sizeof out, 0, 0};
+        assert_int_equal(draw_under(&look, lights, 2, &maps, 1, 1, &surface, &box), GLINT_OK);
+        assert_int_equal(box.w, colored(color, lobe_at(&look, normal, &nl)) > 0);
+        shine += box.w;
+    }
+    assert_in_range(shine, 1000, 4000);
+}
+
 /* ---- one light over a plane ---- */
 
 /* A line of pixels that all face the lamp, white, without a highlight: what arrives, times 255. */
@@ -422,6 +452,7 @@ int main(void)
         cmocka_unit_test(pixels_of_up_to_four_lights_are_within_their_rounding_of_doubles),
         cmocka_unit_test(the_order_of_the_lights_does_not_matter),
         cmocka_unit_test(without_lights_the_ambient_part_is_left),
+        cmocka_unit_test(a_pixel_is_in_the_box_of_several_lights_where_exact_f_is_not_0),
         cmocka_unit_test(light_falls_smoothly_to_nothing_at_its_range),
         cmocka_unit_test(a_colour_beyond_sixteen_counts_as_sixteen),
         cmocka_unit_test(a_spot_is_the_point_light_in_its_inner_cone_and_nothing_beyond_the_outer),
