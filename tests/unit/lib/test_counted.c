@@ -206,6 +206,38 @@ static void where_a_coloured_lamp_shines_in_full_32_bits_decide(void **state)
     assert_int_equal(slow, 0);
 }
 
+/* What is diffuse is so dim that it is doubled and N.L halved. F, of two lights a sum of 1.0 .. 2.0, is not, and there is room for it. */
+static void where_two_lights_shine_on_a_dim_material_32_bits_decide(void **state)
+{
+    (void)state;
+    enum { COUNT = 64 };
+    static struct glint_vec normals[COUNT];
+    static uint8_t out[3 * COUNT];
+    struct look look = bare(GLINT_RGB888);
+    struct glint_paint paint;
+    set_model(&look, GLINT_MSH, 10, 8);
+    assert_int_equal(look_light(&look, in_front, in_front), GLINT_OK);
+    for (int k = 0; k < 3; k++) {
+        look.material.diffuse_q16[k] = 1000;
+        look.material.specular_q16[k] = 65536;
+        look.material.ambient_q16[k] = 0;
+    }
+    const struct glint_light lights[2] = {look.light, look.light};
+    assert_int_equal(glint_paint_exact(&paint, &look.material, &look.output), GLINT_OK);
+    assert_int_equal(glint_paint_light(&paint, lights, 2, in_front), GLINT_OK);
+    struct glint_use_format counted = *paint.format;
+    counted_format = paint.format;
+    counted.exact = count_exact;
+    paint.format = &counted;
+    for (int32_t i = 0; i < COUNT; i++)
+        assert_int_equal(glint_vec_normalize(&normals[i], (const int32_t[]){100 + i, 0, 600}), GLINT_OK);
+    const struct glint_maps maps = {.normals = normals};
+    const struct glint_surface surface = {.pixels = out, .stride = sizeof out};
+    slow = 0;
+    assert_int_equal(glint_draw_rect(&paint, &maps, COUNT, 1, &surface, NULL), GLINT_OK);
+    assert_in_range(slow, 0, 2);
+}
+
 static const struct glint_use_coverage *counted_soft;
 
 static void count_soft(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
@@ -283,6 +315,7 @@ int main(void)
         cmocka_unit_test(thirty_two_bits_decide_most_pixels_of_each_format_light_and_map),
         cmocka_unit_test(no_bound_leaves_more_to_64_bits_than_it_must),
         cmocka_unit_test(where_a_coloured_lamp_shines_in_full_32_bits_decide),
+        cmocka_unit_test(where_two_lights_shine_on_a_dim_material_32_bits_decide),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
