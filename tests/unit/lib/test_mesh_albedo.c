@@ -228,6 +228,36 @@ static void the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way(
     }
 }
 
+/* A sliver, clipped, of which lines begin within the range of each channel and end beyond it. */
+static void a_colour_that_leaves_its_range_behind_a_line_s_first_pixel_is_held(void **state)
+{
+    (void)state;
+    static const int16_t places[3][3] = {{4594, -9473, -843}, {-28366, 29561, 25006}, {29174, 16191, -18158}},
+                         turn[4] = {12215, -12029, -18149, -2185};
+    static uint16_t out[MESH_H * MESH_W], expected[MESH_H * MESH_W + 1];
+    uint8_t *const at_an_odd_address = (uint8_t *)expected + 1; /* where nothing is fused */
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_paint paint;
+    paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
+    mesh_made(&mesh, 3, 1);
+    memcpy(mesh.places, places, sizeof places);
+    memcpy(mesh.pose.turn, turn, sizeof turn);
+    mesh.pose.scale = 2000;
+    mesh.distance = 1700;
+    mesh.mesh.of_vertices = &mesh.colours[0][0];
+    for (uint16_t i = 0; i < 3; i++)
+        mesh.faces[0][i] = i;
+    for (unsigned k = 0; k < 3; k++) {
+        memset(mesh.colours, 0, sizeof mesh.colours);
+        mesh.colours[2][k] = 255;
+        memset(out, GUARD, sizeof out);
+        memset(expected, GUARD, sizeof expected);
+        mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
+        mesh_picture(&mesh, &paint, at_an_odd_address, 2, whole, 1, false);
+        assert_memory_equal(out, at_an_odd_address, sizeof out);
+    }
+}
+
 /* The parts of a line in perspective, one after the other: `perspective` of sequence.md. */
 static unsigned parts_of[9];
 
@@ -353,6 +383,7 @@ int main(void)
         cmocka_unit_test(a_face_by_albedo_tables_has_its_colour_within_a_level),
         cmocka_unit_test(a_face_of_full_levels_has_them_in_light_that_is_ambient_alone),
         cmocka_unit_test(the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way),
+        cmocka_unit_test(a_colour_that_leaves_its_range_behind_a_line_s_first_pixel_is_held),
         cmocka_unit_test(in_perspective_textures_go_in_steps_of_the_sequence),
         cmocka_unit_test(colours_of_vertices_are_linear_between_them),
     };
