@@ -213,12 +213,12 @@ static inline struct denominator denominator_of_m(uint32_t m, uint32_t u)
     return d;
 }
 
-/* As 4 m >= 4 t - 2^-20, E > 4 - 2^-20: where c >= 2^-20, E >= 4. */
+/* As 4 m >= 4 t - 2^-20, E >= 4 + c - 2^-20: where it is less than 4, c < 2^-20. */
 static uint32_t msh_grain(uint32_t m, uint32_t t)
 {
     const uint32_t u = GLINT_T_ONE - t;
     const struct denominator d = denominator_of_m(m, u);
-    if (u >> 10 == 0 || d.e >> 27)
+    if (d.e >> 18 == 0 || d.e >> 27)
         return 0; /* F 2^16 < 0.4 */
     struct scaled a = scale(d.e);
     a.m |= d.fraction >> (a.shift / 2 - 2); /* 14 - s */
