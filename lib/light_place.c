@@ -36,7 +36,7 @@ static void place_begin(struct glint_reach *reach, const struct glint_light *lig
     reach->range_inverse =
         place_inverse((uint64_t)light->range * light->range, &reach->range_exponent);       /* of 1 .. 2^46 */
     const uint32_t width = (uint32_t)light->cos_inner_q30 - (uint32_t)light->cos_outer_q30; /* <= 2^31 */
-    if (!GLINT_FLASH_U8(light->kind->is_spot) || width <= PLACE_COSINE_LOW + PLACE_COSINE_HIGH)
+    if (!GLINT_FLASH_U8(light->kind->is_spot) || width == 0)
         return;
     uint32_t sum = 0;
     for (int i = 0; i < 3; i++) {
@@ -49,7 +49,8 @@ static void place_begin(struct glint_reach *reach, const struct glint_light *lig
     if (sum > PLACE_AXIS_SUM)
         return;
     reach->width_inverse = place_inverse(width, &reach->width_exponent);
-    /* This product is low by < 4, and so will place_cone's be. < 2^31 + 8, as width is more */
+    /* This product is low by < 4, and so will place_cone's be. Only of a width of more than 21, whose blur is < 2^31 + 8, is there a cosine
+     * that is between the cones with all that it may be. */
     reach->blur = place_multiply((uint32_t)(PLACE_COSINE_LOW + PLACE_COSINE_HIGH) << -reach->width_exponent,
                                  reach->width_inverse) +
                   4 + 4;
@@ -145,8 +146,9 @@ static inline bool place_half(struct glint_view *view, struct glint_unit *unit, 
     if (!(v[0] | v[1]) && v[2] == (int32_t)GLINT_T_ONE && l[2] >= 0) {
         glint_unit_front(l, l);
     } else {
-        for (int i = 0; i < 3; i++) /* off by up to 2, and far from 0 where up is small */
-            l[i] = glint_half_sum(l[i], v[i]);
+        l[0] = glint_half_sum(l[0], v[0]); /* off by up to 2, and far from 0 where up is small */
+        l[1] = glint_half_sum(l[1], v[1]);
+        l[2] = glint_half_sum(l[2], v[2]);
         if (!glint_unit_near(unit, l) || unit->up > 8)
             return false;
         slack = GLINT_UNIT_SLACK + (GLINT_UNIT_GROWS * GLINT_UNIT_SLACK / 2 << unit->up);
