@@ -73,6 +73,17 @@ static void quick_values_of_models_are_mostly_the_values(void **state)
         assert_in_range(low_of_m((enum glint_model)grained[i]), 0, 100);
 }
 
+/* What has no highlight is not asked for it. (At q = 1 F rises with c only from beyond there on.) */
+static void grain_of_msh_ends_where_f_of_its_peak_falls_to_two_to_minus_q(void **state)
+{
+    (void)state;
+    const struct glint_use_grain *const grain = glint_use_msh_grain.grain;
+    for (unsigned q = 2; q <= 16; q++) {
+        assert_false(grain->reaches(grain->m_end(q), 0, q));
+        assert_true(grain->reaches(grain->m_end(q) - 2 - (1u << q / 2), 0, q)); /* what its root is rounded up by */
+    }
+}
+
 /* Where (n + 4) t / 2, in which its quick form overflows, reaches 2^32. */
 static void cayley_is_0_from_its_end_on(void **state)
 {
@@ -235,6 +246,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(cayley_is_0_from_its_end_on),
+        cmocka_unit_test(grain_of_msh_ends_where_f_of_its_peak_falls_to_two_to_minus_q),
         cmocka_unit_test(quick_values_of_models_are_mostly_the_values),
         cmocka_unit_test(msh_s_quick_form_loses_no_bit_that_it_has_room_for),
         cmocka_unit_test(srgb_rises_by_no_more_than_the_first_chord_s_steps),
