@@ -93,6 +93,7 @@ have-pico-choices:
 	@$(if $(filter $(pico_BOARDS),$(PICO_BOARD)),,echo "make: port pico has no board $(PICO_BOARD); choose from $(pico_BOARDS)" >&2; exit 1)
 	@$(if $(or $(filter arm,$(ARCH)),$(filter riscv-rp2350,$(ARCH)-$(PICO_CHIP))),,echo "make: ARCH=$(ARCH): is arm, or on a board with an RP2350 riscv" >&2; exit 1)
 	@$(if $(filter $(PICO_PANELS),$(PANEL)),,echo "make: PANEL=$(PANEL): the panels are $(PICO_PANELS)" >&2; exit 1)
+	@$(if $(and $(filter 1 3,$(call pico_fact,5)),$(filter-out $(firstword $(PICO_SIDES)),$(PICO_SIDES))),echo "make: PANEL=$(PANEL): is not square$(COMMA) so boards.def has to say 0 or 2 quarter turns of $(PICO_BOARD)$(COMMA) not $(call pico_fact,5); that its picture lies$(COMMA) the panel's name says" >&2; exit 1)
 	@$(if $(filter 0 90 180 270,$(ROTATE)),,echo "make: ROTATE=$(ROTATE): say 0, 90, 180 or 270" >&2; exit 1)
 	@$(if $(filter-out $(PICO_FREE_PINS),$(TE))$(word 2,$(TE)),echo "make: TE=$(TE): is one pin$(COMMA) and those that are free are $(PICO_FREE_PINS)" >&2; exit 1)
 	@$(if $(filter x0 x1,x$(subst $(BLANK),_,$(SECOND_CORE))),,echo "make: SECOND_CORE=$(SECOND_CORE): say 0 or 1" >&2; exit 1)
