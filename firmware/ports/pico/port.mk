@@ -74,7 +74,7 @@ PICO_MESH_SOURCE = --no-outlines $(if $(MESH),--mesh $(call quoted,$(MESH)) --no
 PICO_MESH_RAM = 12288
 # On an AMOLED panel in its middle, or the whole of it, whose strips of two cores would take all RAM.
 PICO_AMOLED_MESHES = $(if $(PICO_QSPI),$(if $(filter arm,$(ARCH)),$(foreach chip,rp2040 rp2350,$(chip).240x240.0.glint $(if $(filter 0,$(SECOND_CORE)),$(chip).466x466.0.glint))))
-PICO_FREE_PINS = $(filter-out $(if $(PICO_HAS_IMU),$(call pico_fact,14) $(call pico_fact,15)),1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28)
+PICO_FREE_PINS = $(filter-out $(foreach column,6 7 8 9 10 11 12 $(if $(PICO_HAS_IMU),14 15),$(call pico_fact,$(column))),1 2 3 4 5 6 7 14 15 16 17 18 19 20 21 22 26 27 28)
 # Of choices that are refused, too, it is one word.
 PICO = $(subst $(BLANK),_,build/firmware/$(PICO_KIND)-$(PANEL)$(patsubst %,-turned-%,$(filter-out 0,$(ROTATE)))$(patsubst %,-te%,$(firstword $(TE)))$(if $(filter 1,$(SECOND_CORE)),-two-cores)$(if $(filter 1,$(PICO_EXACT)),-exact)$(PICO_MESH:%=-%)$(patsubst %,-%,$(filter-out $(PICO_USUAL_DEMO) teapot,$(DEMO)))$(if $(HEIGHT),-map-$(PICO_HEIGHT_NAME))$(BEVEL:%=-bevel%)$(if $(LANDING_PAGE),-landing))
 PICO_SIDES = $(subst x, ,$(lastword $(subst -, ,$(PANEL))))
