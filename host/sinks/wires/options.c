@@ -175,9 +175,9 @@ static char *read_line(char *text, int room, void *context)
             text[length++] = (char)byte;
     }
     text[length] = '\0';
-    char *remark = strstr(text, " #"); /* inih itself takes only a ; in the middle of a line */
-    if (remark || (remark = strstr(text, "\t#")))
-        *remark = '\0';
+    for (char *at = text; (at = strpbrk(at, " \t")); at++) /* inih itself takes only a ; in the middle of a line */
+        if (at[1] == '#')
+            *at = '\0';
     return length ? text : NULL;
 }
 

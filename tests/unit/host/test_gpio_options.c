@@ -122,6 +122,7 @@ static void a_file_s_wrong_line_is_told_with_its_number(void **state)
     assert_config_fails("[lines]\nSCK = A\nCLK = B\n", "pins.ini:3: sck is given twice, as A and B");
     assert_config_fails("[lines]\nsck =\n", "pins.ini:2: sck names no line");
     assert_config_fails("bus = spi # of wires\nchip =\t# which?\n", "pins.ini:2: chip: the name is empty");
+    assert_config_fails("chip =\t# which? # any\n", "pins.ini:1: chip: the name is empty");
     assert_config_fails("\xEF\xBB\xBF"
                         "bus = spi\r\nchip =\r\n",
                         "pins.ini:2: chip: the name is empty");
