@@ -220,6 +220,52 @@ static void pixels_do_not_depend_on_how_a_picture_is_cut(void **state)
     }
 }
 
+/* Leaves all to the 64-bit sequence. */
+static uint32_t decide_nothing(const struct glint_paint *paint, const struct glint_run *run,
+                               const struct glint_sample *samples, unsigned count)
+{
+    (void)paint, (void)run, (void)samples;
+    return (UINT32_C(1) << count) - 1;
+}
+
+/* Grain shines far from where the light is mirrored, also where that grazes it: of a lamp so far that of N.L nothing is left. */
+static void a_coloured_lamp_that_grazes_grain_has_the_pixels_of_64_bits(void **state)
+{
+    (void)state;
+    static const int32_t position[3] = {8 * SIDE + 2000, 8 * SIDE - 3464, 0};
+    const struct glint_maps maps = {
+        .normals = normals, .normals_stride = SIDE * sizeof *normals, .grain = bytes, .grain_stride = SIDE};
+    const struct glint_surface surface = whole();
+    unsigned shining = 0;
+    for (int i = 0; i < 4 * GRAINED; i++) {
+        struct look look = metal((enum glint_model)grained[i % GRAINED], 1000, (uint16_t)(1 + below(40)));
+        uint8_t drawn[sizeof pixels];
+        struct glint_light lamp;
+        struct glint_paint paint;
+        look.output.space = GLINT_LINEAR;
+        for (int k = 0; k < 3; k++)
+            look.material.ambient_q16[k] = 0;
+        for (int p = 0; p < SIDE * SIDE; p++) {
+            normals[p] = (struct glint_vec){1, 0, 32767};
+            bytes[p] = (uint8_t)below(256);
+        }
+        assert_int_equal(glint_light_point(&lamp, position, 6900), GLINT_OK);
+        lamp.color_q16[0] = 1 << 18;
+        assert_int_equal(glint_paint_exact(&paint, &look.material, &look.output), GLINT_OK);
+        assert_int_equal(glint_paint_light(&paint, &lamp, 1, in_front), GLINT_OK);
+        assert_int_equal(glint_draw_rect(&paint, &maps, SIDE, SIDE, &surface, NULL), GLINT_OK);
+        memcpy(drawn, pixels, sizeof pixels);
+        struct glint_use_format slow = *paint.format;
+        slow.levels = decide_nothing;
+        paint.format = &slow;
+        assert_int_equal(glint_draw_rect(&paint, &maps, SIDE, SIDE, &surface, NULL), GLINT_OK);
+        assert_memory_equal(drawn, pixels, sizeof pixels);
+        for (int p = 0; p < SIDE * SIDE; p++)
+            shining += pixels[3 * p] > 1;
+    }
+    assert_true(shining > 1000);
+}
+
 static int level_of(const struct look *look, const struct glint_maps *maps)
 {
     uint8_t pixel[3];
@@ -514,6 +560,7 @@ int main(void)
         cmocka_unit_test(pictures_are_within_six_tenths_of_a_level_of_double_precision),
         cmocka_unit_test(n_across_of_0_or_n_draws_what_it_did),
         cmocka_unit_test(pixels_do_not_depend_on_how_a_picture_is_cut),
+        cmocka_unit_test(a_coloured_lamp_that_grazes_grain_has_the_pixels_of_64_bits),
         cmocka_unit_test(the_centre_and_a_normal_along_the_grain_take_the_mean_of_both),
         cmocka_unit_test(a_map_of_one_angle_is_that_direction),
         cmocka_unit_test(codes_of_shininess_rise_from_1_to_997_and_come_back),
