@@ -274,25 +274,29 @@ static void triangle_at_sides(unsigned reach)
 {
     mesh_made(&mesh, 3, 1);
     for (unsigned i = 0; i < 3; i++) {
-        mesh.places[i][0] = (int16_t)(16 * ((int)below(reach) - 50) + (int)below(3) - 1);
-        mesh.places[i][1] = (int16_t)(16 * ((int)below(reach) - 40) + (int)below(3) - 1);
+        mesh.places[i][0] = (int16_t)(64 * ((int)below(reach) - 50) + 4 * ((int)below(3) - 1));
+        mesh.places[i][1] = (int16_t)(64 * ((int)below(reach) - 40) + 4 * ((int)below(3) - 1));
         mesh.places[i][2] = 0;
         mesh.normals[i][2] = 32767;
         mesh.faces[0][i] = (uint16_t)i;
         mesh.neighbours[0][i] = GLINT_MESH_RIM;
     }
-    mesh.pose.scale = 32768; /* a unit is 1/16 pixel */
+    mesh.pose.scale = 8192; /* four units are 1/16 pixel */
     mesh.mesh.neighbours = mesh.neighbours[0];
 }
 
-static void a_box_holds_what_an_outline_rounds_to_the_pixel_before(void **state)
+/* To the pixel before, where a corner lies on its side; no further. */
+static void a_box_holds_what_an_outline_rounds_down_by_a_sixteenth_of_a_pixel(void **state)
 {
     (void)state;
     static struct drawer look;
     look_set(&look, &flat, GLINT_GREY8, false, 0);
     for (unsigned i = 0; i < 10000; i++) {
-        triangle_at_sides(i % 4 ? 90 : 1200);
-        boxed_picture(&look, MESH_H, true, MESH_W, 0);
+        triangle_at_sides(i % 4 ? 90 : 550);
+        int left = INT16_MAX;
+        for (unsigned k = 0; k < 3; k++)
+            left = mesh.places[k][0] < left ? mesh.places[k][0] : left;
+        boxed_picture(&look, MESH_H, true, MESH_W, (8 * MESH_W + left / 4 - 1) >> 4);
     }
 }
 
@@ -318,7 +322,7 @@ int main(void)
         cmocka_unit_test(a_face_of_many_cells_is_drawn_in_pieces),
         cmocka_unit_test(a_seam_has_no_outline),
         cmocka_unit_test(all_that_a_strip_changes_lies_in_its_box),
-        cmocka_unit_test(a_box_holds_what_an_outline_rounds_to_the_pixel_before),
+        cmocka_unit_test(a_box_holds_what_an_outline_rounds_down_by_a_sixteenth_of_a_pixel),
         cmocka_unit_test(neighbours_beyond_the_faces_are_refused),
     };
     return cmocka_run_group_tests_name("mesh edges", tests, NULL, NULL);
