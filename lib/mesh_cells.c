@@ -305,11 +305,11 @@ static void others_set(struct glint_mesh_cells *cells)
     static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
     const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
     const struct glint_mesh_rim *const rim = cells->rim;
-    const unsigned face = rim->face, edges = drawn->edges[face] & GLINT_EDGES;
+    const unsigned face = rim->face, edges = drawn->edges[face] & GLINT_EDGES & ~(1u << rim->corner);
     cells->others = 0;
-    for (unsigned k = 0; k < 3 && edges & (edges - 1); k++) {
+    for (unsigned k = 0; edges >> k; k++) {
         struct glint_mesh_rim *const other = &cells->other[cells->others];
-        if (k == rim->corner || !(edges >> k & 1) || !glint_mesh_rim_set(other, drawn, face, k, &all))
+        if (!(edges >> k & 1) || !glint_mesh_rim_set(other, drawn, face, k, &all))
             continue;
         int32_t low = rim->at, high = rim->end - 1;
         if ((other->is ^ rim->is) & GLINT_RIM_FLAT) {
