@@ -3,6 +3,7 @@
 #include "lamps.h"
 #include "mesh_colours.h"
 
+#include "glint_mesh_edges.h"
 #include "glint_mesh_strip.h"
 #include "glint_mesh_texture.h"
 #include "glint_pixel.h"
@@ -169,6 +170,38 @@ static void an_outline_whose_ends_are_a_half_beyond_the_highlight_has_no_t(void 
     assert_int_equal(quick, 0);
 }
 
+/* Of a triangle whose steep edge ends in the line above its last outline, which goes on from there to the right. */
+static void an_outline_asks_no_other_of_its_face_that_ends_before_it(void **state)
+{
+    (void)state;
+    static const double places[3][2] = {{90, 40.2}, {14.3, 2.1}, {10.3, 20.4}}; /* pixels */
+    static struct made_mesh mesh;
+    static uint32_t tables[GLINT_TABLES_COLOUR_BYTES / 4], work[2000];
+    static uint16_t out[MESH_H * MESH_W];
+    static _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 8192];
+    const struct glint_surface surface = {.pixels = out, .stride = 2 * MESH_W};
+    const struct look look = bare(GLINT_RGB565);
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn;
+    struct glint_paint paint;
+    mesh_made(&mesh, 3, 1);
+    mesh.pose.scale = 8192; /* 64 units are a pixel */
+    for (uint16_t i = 0; i < 3; i++) {
+        mesh.places[i][0] = (int16_t)lrint(64 * (places[i][0] - MESH_W / 2));
+        mesh.places[i][1] = (int16_t)lrint(64 * (MESH_H / 2 - places[i][1]));
+        mesh.normals[i][2] = 32767;
+        mesh.faces[0][i] = i;
+        mesh.neighbours[0][i] = GLINT_MESH_RIM;
+    }
+    mesh.mesh.neighbours = mesh.neighbours[0];
+    paint_of_tables(&paint, GLINT_TABLES_COLOUR, &look, tables);
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, MESH_H, 0, memory, sizeof memory), GLINT_OK);
+    frame.outlines = &glint_outlines;
+    assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
+    assert_int_equal(glint_mesh_strip(&frame, 0, MESH_H, &surface), GLINT_OK);
+    assert_int_equal(drawn.outlines->of.cells.others, 1);
+}
+
 static const struct glint_use_format *counted_format;
 
 static void count_exact(const struct glint_paint *paint, const struct glint_run *run, unsigned i,
@@ -312,6 +345,7 @@ int main(void)
         cmocka_unit_test(triangles_in_one_strip_are_drawn_by_the_fused_lines_of_albedo_tables),
         cmocka_unit_test(tables_draw_faces_that_no_outline_cuts_without_asking_for_cells),
         cmocka_unit_test(an_outline_whose_ends_are_a_half_beyond_the_highlight_has_no_t),
+        cmocka_unit_test(an_outline_asks_no_other_of_its_face_that_ends_before_it),
         cmocka_unit_test(thirty_two_bits_decide_most_pixels_of_each_format_light_and_map),
         cmocka_unit_test(no_bound_leaves_more_to_64_bits_than_it_must),
         cmocka_unit_test(where_a_coloured_lamp_shines_in_full_32_bits_decide),
