@@ -275,6 +275,39 @@ static void texels_of_a_face_far_behind_are_those_of_double_precision_at_every_e
     assert_true(pixels > 5000 && worst < .05);
 }
 
+/* Three sixteenths, where one of its weights changes by 5.3 a line: less than 8, from which on a face has one texel. */
+static void a_face_a_fifth_of_a_pixel_high_has_its_texture_from_end_to_end(void **state)
+{
+    (void)state;
+    static const int16_t places[3][3] = {{-1920, -28, 0}, {-960, -40, 0}, {1920, -28, 0}};
+    static uint8_t out[MESH_H][MESH_W][3];
+    const struct look look = bare(GLINT_RGB888);
+    const struct glint_texture texture = numbered(false);
+    struct glint_paint paint;
+    unsigned count = 0;
+    paint_of(&paint, &look);
+    face_at_random(1);
+    memcpy(mesh.places, places, sizeof places);
+    mesh.pose.scale = 8192;
+    mesh.mesh.textures = &texture;
+    for (unsigned i = 0; i < 3; i++) {
+        mesh.uv[i][0] = (uint16_t)(i * i << (BITS - 2));
+        mesh.uv[i][1] = 1 << (BITS - 1);
+    }
+    mesh_picture(&mesh, &paint, &out[0][0][0], 3, whole, 1, false);
+    const struct seen s = see(0);
+    for (int x = 0; x < MESH_W; x++) {
+        double weight[3], at[2], drawn[2];
+        if (!see_weights(&s, x, MESH_H / 2, weight))
+            continue;
+        see_uv(&s, weight, at);
+        number_of(out[MESH_H / 2][x], drawn);
+        assert_true(fabs(at[0] * SIDE - drawn[0] - .5) < 1);
+        count++;
+    }
+    assert_in_range(count, 35, 45);
+}
+
 static double level_of(uint16_t texel, int k)
 {
     return k == 0 ? (texel >> 11) * 255 / 31. : k == 1 ? (texel >> 5 & 63) * 255 / 63. : (texel & 31) * 255 / 31.;
@@ -593,6 +626,7 @@ int main(void)
         cmocka_unit_test(texels_are_those_of_double_precision),
         cmocka_unit_test(texels_in_perspective_are_those_of_double_precision_at_every_eighth_pixel),
         cmocka_unit_test(texels_of_a_face_far_behind_are_those_of_double_precision_at_every_eighth_pixel),
+        cmocka_unit_test(a_face_a_fifth_of_a_pixel_high_has_its_texture_from_end_to_end),
         cmocka_unit_test(bilinear_texels_are_near_those_of_double_precision),
         cmocka_unit_test(a_lit_ball_is_within_42_decibels_of_double_precision),
         cmocka_unit_test(a_texture_that_is_drawn_smaller_takes_a_smaller_picture),
