@@ -398,6 +398,51 @@ static void a_corner_that_is_not_cut_is_wholly_itself(void **state)
     }
 }
 
+/* It is linear there in perspective, too: by the weights of its corners a cut of one that is 1,500 pixels wide is where it is. */
+static void the_texture_of_a_face_parallel_to_the_picture_is_cut_to_a_quarter_of_a_pixel(void **state)
+{
+    (void)state;
+    static uint32_t depths[8000], work[100];
+    static const struct glint_texture texture = {.pixels = work, .w = 1, .h = 1, .levels = 1};
+    const struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+    struct glint_paint paint;
+    unsigned cut = 0;
+    assert_int_equal(glint_paint_exact(&paint, &look.material, &look.output), GLINT_OK);
+    assert_int_equal(glint_paint_light(&paint, NULL, 0, in_front), GLINT_OK);
+    for (int round = 0; round < 2000; round++) {
+        struct glint_mesh_frame frame;
+        struct glint_mesh_drawn drawn;
+        struct glint_mesh_polygon polygon;
+        struct glint_mesh_place at[3];
+        mesh_made(&mesh, 3, 1);
+        mesh.mesh.textures = &texture;
+        mesh.mesh.uv = &mesh.uv[0][0];
+        mesh.mesh.uv_bits = 15;
+        mesh.pose.scale = 65535;
+        mesh.pose.position[0] = (int16_t)(round % 2 ? 32767 : -32767);
+        mesh.pose.position[2] = (int16_t) - (int)(9000 + below(100));
+        for (uint16_t i = 0; i < 3; i++) {
+            for (int k = 0; k < 2; k++)
+                mesh.places[i][k] = (int16_t)((int)below(65535) - 32767);
+            mesh.places[i][2] = 0;
+            mesh.faces[0][i] = i;
+        }
+        assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 16, 3100, depths, sizeof depths), GLINT_OK);
+        assert_int_equal(glint_mesh_add(&frame, &drawn, &mesh.mesh, &mesh.pose, &paint, work, sizeof work), GLINT_OK);
+        for (unsigned i = 0; i < 3; i++)
+            at[i] = glint_mesh_project(&frame, glint_mesh_place_of(&drawn, i));
+        const unsigned count = glint_mesh_clip(&polygon, &frame, &drawn, mesh.faces[0]);
+        for (unsigned i = 0; i < count; i++) {
+            const struct glint_mesh_clipped *const corner = &polygon.list[polygon.now].corner[i];
+            const double b = corner->weight[0] / 32768., c = corner->weight[1] / 32768.;
+            const double x = (1 - b - c) * at[0].x + b * at[1].x + c * at[2].x;
+            assert_true(fabs(x - corner->at.x) <= 4);
+            cut += abs(corner->at.x) == GLINT_MESH_GUARD;
+        }
+    }
+    assert_true(cut > 1000);
+}
+
 /* Whichever corner that is, in strips, too: the same pixels, and the same colours between the corners. */
 static void any_one_corner_of_a_face_may_be_beyond_the_guard_band(void **state)
 {
@@ -503,6 +548,7 @@ int main(void)
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
         cmocka_unit_test(a_colour_is_held_to_what_there_is),
         cmocka_unit_test(a_corner_that_is_not_cut_is_wholly_itself),
+        cmocka_unit_test(the_texture_of_a_face_parallel_to_the_picture_is_cut_to_a_quarter_of_a_pixel),
         cmocka_unit_test(a_light_that_a_turn_brings_to_an_axis_is_held_to_16_bits),
         cmocka_unit_test(any_one_corner_of_a_face_may_be_beyond_the_guard_band),
     };
