@@ -300,6 +300,71 @@ static void what_is_clipped_is_lit_by_its_normals(void **state)
     }
 }
 
+/* The line of a face in parallel projection as a span of its corners' normals, which are linear between them. */
+static struct glint_span span_of_face(const struct glint_paint *paint, int y)
+{
+    const int16_t l[3] = {paint->l.x, paint->l.y, paint->l.z}, h[3] = {paint->h.x, paint->h.y, paint->h.z};
+    double at[3][2], t[3], nl[3];
+    for (int i = 0; i < 3; i++) {
+        at[i][0] = 8 * MESH_W + mesh.places[mesh.faces[0][i]][0];
+        at[i][1] = 8 * MESH_H - mesh.places[mesh.faces[0][i]][1];
+    }
+    const double ux = at[1][0] - at[0][0], uy = at[1][1] - at[0][1], vx = at[2][0] - at[0][0], vy = at[2][1] - at[0][1];
+    for (int x = 0; x < 3; x++) {
+        const double px = 16 * x + 8 - at[0][0], py = 16 * y + 8 - at[0][1], area = ux * vy - vx * uy,
+                     b = (px * vy - vx * py) / area, c = (ux * py - px * uy) / area;
+        t[x] = nl[x] = 0;
+        for (int k = 0; k < 3; k++) {
+            const double n = (1 - b - c) * mesh.normals[mesh.faces[0][0]][k] + b * mesh.normals[mesh.faces[0][1]][k] +
+                             c * mesh.normals[mesh.faces[0][2]][k];
+            t[x] += (n - h[k]) * (n - h[k]) / 2;
+            nl[x] += n * l[k];
+        }
+    }
+    return (struct glint_span){
+        (uint32_t)lrint(t[0]), (uint32_t)lrint(t[1] - t[0]),  (uint32_t)lrint(t[2] - 2 * t[1] + t[0]),
+        (int32_t)lrint(nl[0]), (int32_t)lrint(nl[1] - nl[0]), MESH_W,
+        {{0, 0}, {0, 0}}};
+}
+
+/* Whichever of its corners is beyond the guard band, or two. */
+static void what_is_clipped_shines_between_its_corners_as_if_it_were_not(void **state)
+{
+    (void)state;
+    static const int16_t places[2][3][3] = {{{9000, -2000, 0}, {-1100, 32000, 0}, {-1100, -2000, 0}},
+                                            {{32000, -1200, 0}, {-32000, 32000, 0}, {-8000, -32000, 0}}};
+    static uint8_t out[3 * MESH_W * MESH_H], line[3 * MESH_W];
+    static const unsigned whole[] = {MESH_H};
+    for (int round = 0; round < 60; round++) {
+        struct look look = random_look(GLINT_RGB888, GLINT_GAMMA);
+        struct glint_paint paint;
+        set_model(&look, GLINT_MSH, 30, 8);
+        look.output.dither = false;
+        paint_of(&paint, &look);
+        mesh_made(&mesh, 3, 1);
+        mesh.pose.scale = 32768;
+        memcpy(mesh.places, places[round % 2], sizeof places[0]);
+        for (int i = 0; i < 3; i++) {
+            struct glint_vec n;
+            const int32_t about[3] = {look.h.x + (int32_t)below(40000) - 20000,
+                                      look.h.y + (int32_t)below(40000) - 20000,
+                                      look.h.z + (int32_t)below(40000) - 20000};
+            assert_int_equal(glint_vec_normalize(&n, about), GLINT_OK);
+            mesh.normals[i][0] = n.x, mesh.normals[i][1] = n.y, mesh.normals[i][2] = n.z;
+            mesh.faces[0][i] = (uint16_t)((i + round / 2) % 3);
+        }
+        memset(out, 0, sizeof out);
+        mesh_picture(&mesh, &paint, out, 3, whole, 1, false);
+        for (int y = 0; y < MESH_H; y++) {
+            const struct glint_span span = span_of_face(&paint, y);
+            const struct glint_surface surface = {line, sizeof line, 0, 0};
+            assert_int_equal(glint_draw_span(&paint, &span, NULL, &surface, NULL), GLINT_OK);
+            for (int x = 0; x < 3 * MESH_W; x++)
+                assert_in_range(out[3 * MESH_W * y + x] - line[x] + 6, 0, 12);
+        }
+    }
+}
+
 /* It is flat: its values would have too steep a slope. */
 static void a_face_within_a_pixel_has_the_light_of_its_normals(void **state)
 {
@@ -544,6 +609,7 @@ int main(void)
         cmocka_unit_test(a_glossy_triangle_is_flat_where_its_normals_are_more_than_90_degrees_apart),
         cmocka_unit_test(the_near_plane_lies_an_eighth_of_the_distance_before_the_camera),
         cmocka_unit_test(what_is_clipped_is_lit_by_its_normals),
+        cmocka_unit_test(what_is_clipped_shines_between_its_corners_as_if_it_were_not),
         cmocka_unit_test(a_face_within_a_pixel_has_the_light_of_its_normals),
         cmocka_unit_test(a_number_across_a_triangle_is_held_between_its_corners),
         cmocka_unit_test(a_colour_is_held_to_what_there_is),
