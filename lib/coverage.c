@@ -59,7 +59,7 @@ static uint32_t coverage_any(const struct glint_paint *p, const struct glint_run
     const uint8_t format = p->output.format;
     const unsigned shift = (unsigned)p->of.exact.shift;
     const bool grey = glint_format_is_grey(format);
-    const uint32_t w = glint_covered_w(p->of.exact.w_maps, 0, shift, true);
+    const uint32_t w = glint_covered_w(p->of.exact.w_maps, shift, true);
     const uint8_t *albedo = run->albedo ? run->albedo : p->material.albedo;
     uint32_t bias[4], open = 0;
     glint_levels_bias(bias, p, run);
@@ -106,7 +106,7 @@ GLINT_INLINE uint32_t coverage_rgb(const struct glint_paint *p, const struct gli
     const unsigned red_at = glint_format_is_blue_first(format) ? 2 : 0, blue_at = 2 - red_at;
     const unsigned bytes = !deep ? 2 : red_at && format != GLINT_BGR888 ? 4 : 3;
     const uint32_t most = (uint32_t)(deep ? 255 : 31) << shift, most_green = (uint32_t)(deep ? 255 : 63) << shift;
-    const uint32_t w = glint_covered_w(p->of.exact.w, 63, shift, deep);
+    const uint32_t w = glint_covered_w(p->of.exact.w, shift, deep);
     const uint8_t *coverage = run->coverage + run->x;
     uint8_t *out = run->line + bytes * run->x + swapped;
     const ptrdiff_t other = swapped ? -1 : 1;

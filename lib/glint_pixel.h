@@ -296,12 +296,12 @@ GLINT_INLINE uint32_t glint_levels_hold(uint32_t v, uint32_t most)
  * X = (V >> 8) m + (255 - m) q 2^(shift - 8) is 255 / 256 of their sum, and X + (X >> 8) + (X >> 16) all of it but for its 2^-24. X is low by W m / 2^8,
  * and by less than 255; so the sum is low by less than W + 256 of these, 2 of its shifts, and 2^-24 of the largest level. Where V was high by what
  * thresholds lack for it (paint->of.exact.high), it is high by less than that. */
-GLINT_INLINE uint32_t glint_covered_w(uint32_t w, uint32_t max, unsigned shift, bool deep)
+GLINT_INLINE uint32_t glint_covered_w(uint32_t w, unsigned shift, bool deep)
 {
-    return w + 256 + 3 + (deep ? 256 : max << (shift - 16));
+    return w + 256 + 3 + (deep ? 256 : (uint32_t)63 << (shift - 16));
 }
 
-/* under: (255 - m) q 2^(shift - 8). Without the last term, 2^-16 of the level is missing: for few levels, as that costs less than what stays open for it. */
+/* under: (255 - m) q 2^(shift - 8). Without the last term, 2^-16 of the level is missing: for RGB565, as that costs less than what stays open for it. */
 GLINT_INLINE uint32_t glint_covered_blend(uint32_t v, uint32_t m, uint32_t under, bool deep)
 {
     const uint32_t x = (v >> 8) * m + under;
