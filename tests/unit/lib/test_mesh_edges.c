@@ -269,6 +269,58 @@ static void all_that_a_strip_changes_lies_in_its_box(void **state)
     }
 }
 
+/* The boxes of a picture's strips of 10 lines. */
+enum { STRIPS = MESH_H / 10 };
+static void boxes_of(const struct drawer *look, struct made_mesh *const shown[], unsigned count,
+                     struct glint_box boxes[STRIPS])
+{
+    static _Alignas(8) uint8_t memory[MESH_W * MESH_H * 2 + 8192];
+    static uint32_t work[2][20000];
+    const struct glint_surface surface = {pictures[0], MESH_W, 0, 0};
+    struct glint_mesh_frame frame;
+    struct glint_mesh_drawn drawn[2];
+    assert_int_equal(glint_mesh_begin(&frame, MESH_W, MESH_H, 10, 0, memory, sizeof memory), GLINT_OK);
+    for (unsigned i = 0; i < count; i++)
+        assert_int_equal(
+            glint_mesh_add(&frame, &drawn[i], &shown[i]->mesh, &shown[i]->pose, &look->paint, work[i], sizeof work[i]),
+            GLINT_OK);
+    for (unsigned i = 0; i < STRIPS; i++) {
+        assert_int_equal(glint_mesh_strip(&frame, (uint16_t)(10 * i), 10, &surface), GLINT_OK);
+        boxes[i] = frame.box;
+    }
+}
+
+static void the_box_of_two_meshes_is_the_least_that_holds_the_boxes_of_both(void **state)
+{
+    (void)state;
+    static struct made_mesh other;
+    static struct drawer look;
+    struct made_mesh *const shown[2] = {&mesh, &other};
+    unsigned of_both = 0;
+    look_set(&look, &flat, GLINT_GREY8, false, 0);
+    for (unsigned i = 0; i < 300; i++) {
+        struct glint_box boxes[3][STRIPS];
+        for (unsigned k = 0; k < 2; k++) {
+            mesh_ball(shown[k], 4, 5);
+            shown[k]->pose.scale = (uint16_t)(16 * (1 + below(20)));
+            shown[k]->pose.position[0] = (int16_t)((int)below(1600) - 800);
+            shown[k]->pose.position[1] = (int16_t)((int)below(1200) - 600);
+            boxes_of(&look, &shown[k], 1, boxes[k]);
+        }
+        boxes_of(&look, shown, 2, boxes[2]);
+        for (unsigned k = 0; k < STRIPS; k++) {
+            const struct glint_box a = boxes[0][k].w ? boxes[0][k] : boxes[1][k],
+                                   b = boxes[1][k].w ? boxes[1][k] : boxes[0][k], *const box = &boxes[2][k];
+            assert_int_equal(box->x, a.x < b.x ? a.x : b.x);
+            assert_int_equal(box->y, a.y < b.y ? a.y : b.y);
+            assert_int_equal(box->x + box->w, a.x + a.w > b.x + b.w ? a.x + a.w : b.x + b.w);
+            assert_int_equal(box->y + box->h, a.y + a.h > b.y + b.h ? a.y + a.h : b.y + b.h);
+            of_both += boxes[0][k].w && boxes[1][k].w;
+        }
+    }
+    assert_true(of_both > 100);
+}
+
 /* Its corners within 1/16 of a pixel's side. */
 static void triangle_at_sides(unsigned reach)
 {
@@ -322,6 +374,7 @@ int main(void)
         cmocka_unit_test(a_face_of_many_cells_is_drawn_in_pieces),
         cmocka_unit_test(a_seam_has_no_outline),
         cmocka_unit_test(all_that_a_strip_changes_lies_in_its_box),
+        cmocka_unit_test(the_box_of_two_meshes_is_the_least_that_holds_the_boxes_of_both),
         cmocka_unit_test(a_box_holds_what_an_outline_rounds_down_by_a_sixteenth_of_a_pixel),
         cmocka_unit_test(neighbours_beyond_the_faces_are_refused),
     };
