@@ -54,13 +54,13 @@ EXACT_TESTS := $(addprefix $(BUILD)/tests/exact/test_,eval eval_t cutoff pixel g
 EXACT_RUNS = $(filter-out %/test_near,$(EXACT_TESTS)) "$(BUILD)/tests/exact/test_near every_*"
 EXACT_ENV = EXACT_MODEL=$(MODEL) GLINT_PIXELS=$(or $(GLINT_PIXELS),150)
 else
-EXACT_RUNS = tests/exact/test_bounds $(EXACT_TESTS) tests/exact/test_tables
+EXACT_RUNS = "tests/exact/test_bounds $(BUILD)" $(EXACT_TESTS) tests/exact/test_tables
 EXACT_ENV = EXACT_MODEL=
 endif
 
 # Several at a time, since some of them compile, and of the others not all use every core.
 run-exact: $(EXACT_TESTS)
-	@CC="$(CC)" OPENMP="$(OPENMP)" TALLY_JOBS=$$(nproc) $(EXACT_ENV) tests/tally $(EXACT_RUNS)
+	@CC="$(CC)" HOST_LDFLAGS="$(HOST_LDFLAGS)" TALLY_JOBS=$$(nproc) $(EXACT_ENV) tests/tally $(EXACT_RUNS)
 
 # The quick part: a part of the arguments from c, of the cutoffs and of the pixels.
 check-exact:
