@@ -287,7 +287,7 @@ enum glint_err case_paint(struct glint_paint *paint, const struct reference *loo
 static uint64_t pixels_of(unsigned share)
 {
     const char *set = getenv("GLINT_PIXELS");
-    return UINT64_C(1000) * share * (set ? strtoul(set, NULL, 10) : 200);
+    return UINT64_C(1000) * share * (set ? strtoul(set, NULL, 10) : 100);
 }
 
 bool cases_pass(unsigned (*one)(uint64_t *seed, void *memory), size_t bytes, unsigned share)

@@ -53,7 +53,7 @@ bool case_same(const struct case_scene *scene, const struct glint_box *a, const 
  * slack-MODEL: a model that says to be exact. */
 enum glint_err case_paint(struct glint_paint *paint, const struct reference *look);
 
-/* Cases until `share` thousandths of GLINT_PIXELS million pixels are drawn, 1000 where it is not set. `one` draws one case in so many
+/* Cases until `share` thousandths of GLINT_PIXELS million pixels are drawn, 100 where it is not set. `one` draws one case in so many
  * bytes of memory of its own, and returns how many pixels; 0 where one differs: then the case's number is printed. */
 bool cases_pass(unsigned (*one)(uint64_t *seed, void *memory), size_t bytes, unsigned share);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  * The exact paint under one directional light, or none, beside the reference pixel: the same bytes for every material, output, colour, map, source
- * and stride, likely or hostile. GLINT_PIXELS: how many million pixels, 200 where not set: half a minute on two cores. */
+ * and stride, likely or hostile. GLINT_PIXELS: how many million pixels, 100 where not set: a quarter of a minute on two cores. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
