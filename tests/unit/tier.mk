@@ -9,8 +9,12 @@ UNIT_PACKAGES = libqoi-dev libopenmpi-dev openmpi-bin libcmocka-dev libgmp-dev l
 UNIT_CHECK = libcmocka-dev:cmocka.h libqoi-dev:qoi.h
 UNIT_CHECK_PART = libusb-1.0-0-dev:libusb-1.0/libusb.h libgpiod-dev:gpiod.h libinih-dev:ini.h libchafa-dev:chafa/chafa.h \
 	librsvg2-dev:librsvg-2.0/librsvg/rsvg.h libassimp-dev:assimp/version.h libjpeg-dev:jpeglib.h libwebp-dev:webp/mux.h libgif-dev:gif_lib.h g++:g++ groff-base:groff zsh:zsh
-# Flags of the tests' own code, after those of all.
-UNIT_CFLAGS ?=
+# Flags of the tests' own code, after those of all. Tests of host/ and firmware/ are sooner compiled than optimized, those of lib/ have models that
+# draw much; what is tested keeps its own flags. Of what sanitizers put in gcc warns, too, at -O0: -w.
+UNIT_CFLAGS ?= $(UNIT_CFLAGS_$(word 3,$(subst /, ,$<)))
+UNIT_CFLAGS_host = -O0 -g1 $(if $(SANITIZERS),-w)
+UNIT_CFLAGS_firmware = $(UNIT_CFLAGS_host)
+UNIT_CFLAGS_lib = -O1 -g1
 UNIT_CHOSEN = $(wildcard tests/unit/*/test_*.c)
 UNIT_ALL := $(UNIT_CHOSEN:tests/unit/%.c=$(BUILD)/tests/unit/%)
 ifneq ($(TEST),)
@@ -49,12 +53,13 @@ unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 
 # With TEST or SANITIZE only what they say; else everything with sanitizers but for what is slow, and plain what make check leaves
 # out and what tests the library, which compilers optimize most. What takes longest begins first, so that it does not end alone.
+# CCACHE_DEPEND: what has flags that nothing else has is not looked for by a run of the preprocessor, too.
 UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/% $(UNIT_LONG),$(UNIT_TESTS))
 run-unit: $(if $(TEST)$(filter 1,$(SANITIZE)),$(UNIT_TESTS),$(UNIT_PLAIN)) $(BUILD)/glint
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
 	@$(PLUS)$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
 else
-	@+$(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-sanitizable-programs
+	@+CCACHE_DEPEND=1 $(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-sanitizable-programs
 	@$(PLUS)$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_SANITIZABLE)) $(UNIT_PLAIN)
 endif
