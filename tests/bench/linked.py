@@ -49,8 +49,9 @@ def objects(target, level, folder, place, peers=()):
     for old in glob.glob(place + "/*.o"):
         os.remove(old)
     sources = [os.path.join(SOURCE, path) for path in library_sources() + ["tests/bench/peers.c"]] + list(peers)
-    target.tool("gcc", "-std=gnu99", level, "-ffunction-sections", "-fdata-sections", *target.flags.split(), *libc(target),
-                "-DFIXMATH_NO_CACHE", "-I" + SOURCE + "/lib", f"-I{folder}/fixmath", "-c", *sources, cwd=place)
+    for source in sources:  # one at a time: ccache knows only such compilations
+        target.tool("gcc", "-std=gnu99", level, "-ffunction-sections", "-fdata-sections", *target.flags.split(), *libc(target),
+                    "-DFIXMATH_NO_CACHE", "-I" + SOURCE + "/lib", f"-I{folder}/fixmath", "-c", source, cwd=place)
     return glob.glob(place + "/*.o"), os.path.join(place, "alone.elf")
 
 
