@@ -43,13 +43,12 @@ hide_rim(struct glint_mesh_hidden *hidden, const struct glint_mesh_rim *rim, int
 
 static void cells_show(const struct glint_mesh_target *strip)
 {
-    struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
-    struct glint_mesh_hidden *const first = outlines->of.depths, *hidden = first + outlines->hidden;
+    const struct glint_mesh_outlines *const outlines = strip->drawn->outlines;
+    const struct glint_mesh_hidden *const first = outlines->of.depths, *hidden = first + outlines->hidden;
     while (hidden != first) { /* a cell of two edges was hidden twice */
         hidden--;
         *hidden->at = (uint16_t)hidden->depth;
     }
-    outlines->hidden = 0;
 }
 
 /* Those of the face, and those of its neighbours that lie beside the edges between, which reach it where these are narrow. window: NULL, the whole
