@@ -231,16 +231,15 @@ static void skip_line(struct body *body)
     skip_blanks(body);
 }
 
-/* Within a line. */
+/* Within a line. Before a word only these are blanks to libassimp. */
 static bool skip_word(struct body *body)
 {
     while (body->at < body->end && (*body->at == ' ' || *body->at == '\t'))
         body->at++;
-    if (body->at == body->end || ends_line(*body->at))
-        return false;
+    const char *const word = body->at;
     while (body->at < body->end && !is_blank(*body->at))
         body->at++;
-    return true;
+    return body->at > word;
 }
 
 static bool skip(struct body *body, uint64_t count, unsigned bytes)

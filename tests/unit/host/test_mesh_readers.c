@@ -194,6 +194,8 @@ static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **s
     static const char *const edits[][2] = {
         {"s/^0 1 0/0 1\\n0/", "a line of its data has too few numbers"},
         {"s/^3 0 1 2/3 0 1\\n2/", "a line of its data has too few numbers"},
+        {"s/^0 1 0/0 \\v1 0/", "a line of its data has too few numbers"},
+        {"s/^property list/property uchar a\\n&/; s/^3/1 \\v&/", "a line of its data has too few numbers"},
         {"/^0 0 0/N; s/^0 0 0\\n/0 0 0 /", "it ends before all that its header promises"},
         {"s/^property float y/comment TextureFile a.png\\n&/",
          "a comment that names a texture stands among properties"},
