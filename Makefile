@@ -92,8 +92,8 @@ HOST_OBJECTS = $(HOST_SOURCES:host/%.c=$(BUILD)/host/%.o) $(CORE_OBJECTS)
 # All of the command but main, for tests; it needs the library behind it.
 HOST_ARCHIVES = $(BUILD)/libhost.a $(BUILD)/libglint.a
 # Sub-makes use all cores unless the caller's make decides. (Their recipes begin with +: make does not see $(MAKE) in it.)
-PARALLEL = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc))
-SUBMAKE = $(MAKE) --no-print-directory $(PARALLEL)
+parallel = $(if $(findstring -j,$(MAKEFLAGS)),,-j$(shell echo $$(($1 * $$(nproc)))))
+SUBMAKE = $(MAKE) --no-print-directory $(call parallel,1)
 # Instead of the + where a recipe does more than that: make -n, -q and -t, which run nothing, do not run it.
 PLUS = $(if $(strip $(foreach flag,n q t,$(findstring $(flag),$(filter-out -%,$(firstword $(MAKEFLAGS)))))),,+)
 
@@ -255,11 +255,13 @@ TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 # The tiers compile much of the same: what one has compiled the next, and the next run, take from ccache.
 CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
+# Three jobs a processor, as tests/tally has: where other work has the machine, tests have their share of it.
+TEST_SUBMAKE = $(MAKE) --no-print-directory $(call parallel,3)
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
 	@$(PLUS)$(SUBMAKE) setup-$(firstword $(TIERS)); \
 	{ .ci/need "the other tiers" $(TEST_PACKAGES) && env --default-signal=INT,QUIT nice -n 19 tests/lab/kernel >/dev/null; } & \
-	$(TEST_CACHE) tests/sum "$(SUBMAKE)" $(subst +,+test-,$(TEST_ORDER:%=test-%))
+	$(TEST_CACHE) tests/sum "$(TEST_SUBMAKE)" $(subst +,+test-,$(TEST_ORDER:%=test-%))
 
 # What a release has.
 DIST = build/dist

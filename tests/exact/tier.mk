@@ -60,7 +60,7 @@ endif
 
 # Several at a time, since some of them compile, and of the others not all use every core.
 run-exact: $(EXACT_TESTS)
-	@CC="$(CC)" HOST_LDFLAGS="$(HOST_LDFLAGS)" TALLY_JOBS=$$(nproc) $(EXACT_ENV) tests/tally $(EXACT_RUNS)
+	@CC="$(CC)" HOST_LDFLAGS="$(HOST_LDFLAGS)" $(EXACT_ENV) tests/tally $(EXACT_RUNS)
 
 # The quick part: a part of the arguments from c, of the cutoffs and of the pixels.
 check-exact:
@@ -70,6 +70,6 @@ check-exact:
 EXACT_QUICK = $(addprefix $(BUILD)/tests/exact/test_,eval eval_t cutoff pixel grain unit unit_wide reach reach_wide lights lights_wide)
 exact-quick-programs: $(EXACT_QUICK)
 run-check-exact: exact-quick-programs
-	@EXACT_EVERY=21 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) tests/tally $(EXACT_QUICK) tests/exact/test_tables
+	@EXACT_EVERY=21 GLINT_PIXELS=1 tests/tally $(EXACT_QUICK) tests/exact/test_tables
 
 .PHONY: setup-exact test-exact run-exact check-exact exact-quick-programs run-check-exact

@@ -49,7 +49,7 @@ $(BUILD)/tests/gateware/vectors: tests/gateware/vectors.c $(GATEWARE_LIBRARY)
 
 run-gateware: $(GATEWARE_TESTS) $(BUILD)/tests/gateware/vectors $(GATEWARE_TABLES)
 	@mkdir -p $(GATEWARE)/test
-	@$(GATEWARE_ENV) TALLY_JOBS=2 tests/tally $(GATEWARE_LONG) $(filter-out $(GATEWARE_LONG),$(GATEWARE_SCRIPTS)) $(GATEWARE_TESTS)
+	@$(GATEWARE_ENV) tests/tally $(GATEWARE_LONG) $(filter-out $(GATEWARE_LONG),$(GATEWARE_SCRIPTS)) $(GATEWARE_TESTS)
 
 # The quick part: lint, with what is installed.
 check-gateware:

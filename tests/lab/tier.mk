@@ -77,11 +77,10 @@ glint-gpiod2:
 	@$(PLUS)$(LAB_LIBGPIOD2) $(SUBMAKE) BUILD=build/gpiod2 all
 
 # What takes longest goes first: of what is built the kernel, of what runs the programs that compute. The others mostly
-# wait for USB: two more run than there are processors.
-LAB_JOBS = $$(($$(nproc) + 2))
+# wait for USB.
 run-lab: $(BUILD)/tests/lab/spi.dtb $(BUILD)/glint glint-gpiod2 lab-programs
-	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$(LAB_JOBS) && \
-		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && \
+		export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach build,$(LAB_BOTH_BUILDS),"env GLINT=$(CURDIR)/$(build)/glint tests/lab/guest --memory 768 \
 			$(BUILD)/tests/lab/test_gpio_stream") $(LAB_FUZZ) \
 		"env GADGET=$(LAB_GADGET) FAULTY=$(LAB_FAULTY_GADGET) tests/lab/guest --time inf $(BUILD)/tests/lab/test_gud_drm" \

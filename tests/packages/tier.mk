@@ -26,6 +26,6 @@ test-packages: ## check: lib/ by CMake, make install-lib and others, on the host
 	@+tests/tier packages "$(SUBMAKE)"
 
 run-packages: all
-	@GLINT="$(abspath $(BUILD)/glint)" TALLY_JOBS=$$(nproc) tests/tally $(PACKAGES_LONG) $(filter-out $(PACKAGES_LONG),$(PACKAGES_TESTS))
+	@GLINT="$(abspath $(BUILD)/glint)" tests/tally $(PACKAGES_LONG) $(filter-out $(PACKAGES_LONG),$(PACKAGES_TESTS))
 
 .PHONY: setup-packages test-packages run-packages

@@ -22,7 +22,7 @@ test-page: ## check: the page in Chromium and Firefox: pictures, files, messages
 
 # Browsers wait for each other half the time: one more runs than there are processors.
 run-page: all $(PAGE)/index.html $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
-	@TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(foreach browser,firefox chromium,$(foreach test,controls screens files,"node tests/page/test_$(test).mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser)")) \
+	@tests/tally $(foreach browser,firefox chromium,$(foreach test,controls screens files,"node tests/page/test_$(test).mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser)")) \
 		$(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \
 		$(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser) $(PAGE_STATES_$(browser))") \
 		"node tests/page/test_device.mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint)" \

@@ -33,8 +33,8 @@ pico-images: $(BUILD)/glint $(PICO_MESH_TESTED) $(BUILD)/bin2uf2 $(CONFORMANCE_E
 
 # What takes longest goes first. LAB_*: as in tier lab.
 run-pico: pico-images $(PAGE)/index.html $(PICO_TOOLS:%=$(BUILD)/tests/pico/%) $(addprefix $(BUILD)/tests/lab/,init spi.dtb)
-	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) TALLY_JOBS=$$(nproc) && \
-		export LAB_KERNEL LAB_BUILD TALLY_JOBS && tests/tally \
+	@LAB_KERNEL=$$(tests/lab/kernel) LAB_BUILD=$(CURDIR)/$(BUILD) && \
+		export LAB_KERNEL LAB_BUILD && tests/tally \
 		$(foreach board,$(PICO_READY_TESTED),$(foreach part,hand faults,"node tests/pico/test_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(part)")) \
 		$(foreach board,$(PICO_READY_TESTED),"tests/lab/guest --time basic --memory 1024 $(BUILD)/tests/pico/attach node tests/pico/test_end_hand.mjs $(BENCH_NPM) build/firmware/$(board)-$(call pico_panel_of,$(board)) $(call pico_panel_of,$(board)) $(BUILD)/tests/pico/judge $(BUILD)/glint") \
 		$(foreach panel,st7789-240x240,"$(call PICO_TEST,faults)" \

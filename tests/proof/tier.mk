@@ -34,7 +34,7 @@ test-proof: ## check: the library for every argument: values from t, proved
 
 run-proof: $(PROOF_BUILD)/test_finite $(PROOF_BUILD)/test_helium $(PROOF_BUILD)/helium_lines $(CONFORMANCE_EXPECTED)
 	@HOST_FLAGS="$(filter -std=% -I% -D% -f%,$(HOST_CFLAGS))" HOST_SOURCES="$(HOST_SOURCES)" EXPECTED=$(CONFORMANCE) \
-		TALLY_JOBS=$$(nproc) tests/tally tests/proof/test_static $(addprefix "env FAULTS=1 tests/proof/test_,$(addsuffix ",lobes powers)) \
+		tests/tally tests/proof/test_static $(addprefix "env FAULTS=1 tests/proof/test_,$(addsuffix ",lobes powers)) \
 		"tests/proof/test_faults $(PROOF_BUILD)" $(PROOF_BUILD)/test_finite \
 		$(addprefix "env FAULTS=1 tests/proof/test_,$(addsuffix ",msh grain directions claims pixel textures)) \
 		$(addprefix tests/proof/test_,lobes powers msh grain directions claims pixel words dsp mesh_words textures) $(PROOF_BUILD)/test_helium $(PROOF_BUILD)/helium_lines

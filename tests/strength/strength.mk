@@ -27,7 +27,7 @@ build/ends.o: tests/strength/ends.c
 coverage-lib: setup-strength build/ends.o ## check: the same of lib/ and firmware/core/ by their own tests alone (two minutes)
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) all unit-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
-	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 TALLY_JOBS=$$(nproc) \
+	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 \
 		GLINT="$(CURDIR)/build/coverage/glint" GLINT_SOURCE="$(CURDIR)" tests/tally $(addprefix build/coverage/,$(STRENGTH_EXACT) $(STRENGTH_UNIT))
 	@tests/strength/covered build/coverage
 

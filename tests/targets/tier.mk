@@ -30,7 +30,7 @@ write-costs: $(TARGETS_COSTS_INPUTS) $(BOARDS) $(BENCH_IMAGES)
 
 run-targets: $(if $(BOARD),,$(TARGETS_COSTS_INPUTS) $(TARGETS_VIEWS)) $(TARGETS_FIRMWARE) $(BOARDS) $(CONFORMANCE_EXPECTED)
 	@$(if $(TARGETS_FIRMWARE),,echo "make: there is no board $(BOARD); choose from $(BARE_BOARDS)" >&2; exit 1)
-	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS="$(BENCH_BOARDS)" TALLY_JOBS=$$(nproc) tests/tally "tests/targets/test_objects $(BUILD)/targets $(BOARD)" $(TARGETS_LINES) \
+	@PYTHONDONTWRITEBYTECODE=1 BENCH_BOARDS="$(BENCH_BOARDS)" tests/tally "tests/targets/test_objects $(BUILD)/targets $(BOARD)" $(TARGETS_LINES) \
 		"tests/targets/test_conformance $(BUILD)/targets $(CONFORMANCE_EXPECTED) $(BOARD)" $(TARGETS_COSTS) \
 		$(if $(BOARD),,"tests/targets/test_big_endian $(BUILD)/targets") tests/targets/test_boards
 

@@ -57,10 +57,10 @@ unit-quick-programs: $(UNIT_QUICK) $(BUILD)/glint
 UNIT_PLAIN = $(filter $(BUILD)/tests/unit/slow/% $(BUILD)/tests/unit/lib/% $(UNIT_LONG),$(UNIT_TESTS))
 run-unit: $(if $(TEST)$(filter 1,$(SANITIZE)),$(UNIT_TESTS),$(UNIT_PLAIN)) $(BUILD)/glint
 ifneq ($(TEST)$(filter 1,$(SANITIZE)),)
-	@$(PLUS)$(UNIT_ENV) TALLY_JOBS=$$(nproc) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
+	@$(PLUS)$(UNIT_ENV) tests/tally $(UNIT_TESTS) $(UNIT_SCRIPTS) $(if $(TEST),$(UNIT_BUILDERS))
 else
 	@+CCACHE_DEPEND=1 $(SUBMAKE) BUILD=$(UNIT_SANITIZED) SANITIZE=1 unit-sanitizable-programs
-	@$(PLUS)$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
+	@$(PLUS)$(UNIT_ENV) tests/tally $(UNIT_BUILDERS) $(sort $(UNIT_SCRIPTS)) \
 		$(patsubst $(BUILD)/%,"env GLINT=$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_SANITIZABLE)) $(UNIT_PLAIN)
 endif
 
@@ -70,6 +70,6 @@ check-unit:
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi
 
 run-check-unit: unit-quick-programs
-	@$(UNIT_ENV) TALLY_JOBS=$$(($$(nproc) + 1)) tests/tally $(UNIT_QUICK_SCRIPTS) $(UNIT_QUICK)
+	@$(UNIT_ENV) tests/tally $(UNIT_QUICK_SCRIPTS) $(UNIT_QUICK)
 
 .PHONY: setup-unit test-unit unit-programs unit-sanitizable-programs unit-quick-programs run-unit check-unit run-check-unit
