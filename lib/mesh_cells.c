@@ -301,7 +301,7 @@ static void cells_set(struct glint_mesh_cells *cells)
 /* Its face's other outlines that have lines, or columns, where this one has cells in the strip. */
 static void others_set(struct glint_mesh_cells *cells)
 {
-    static const struct glint_mesh_window all = {-4096, -4096, 4096, 4096};
+    static const struct glint_mesh_window all = {INT16_MIN, INT16_MIN, INT16_MAX, INT16_MAX};
     const struct glint_mesh_drawn *const drawn = cells->strip->drawn;
     const struct glint_mesh_rim *const rim = cells->rim;
     const unsigned face = rim->face, edges = drawn->edges[face] & GLINT_EDGES & ~(1u << rim->corner);

@@ -214,13 +214,14 @@ static void shade_right(void *argument)
 static void shade(struct relight *relight)
 {
     const struct hal *hal = relight->hal;
-    if (!hal->fork) {
-        shade_part(relight, &relight->maps[0], relight->seen.first, relight->seen.first + relight->seen.count);
-        return;
+    unsigned end = relight->seen.first + relight->seen.count;
+    if (hal->fork) {
+        hal->fork(hal->context, shade_right, relight);
+        end = middle(relight);
     }
-    hal->fork(hal->context, shade_right, relight);
-    shade_part(relight, &relight->maps[0], relight->seen.first, middle(relight));
-    hal->join(hal->context);
+    shade_part(relight, &relight->maps[0], relight->seen.first, end);
+    if (hal->fork)
+        hal->join(hal->context);
 }
 
 static void sent(void *argument);

@@ -215,6 +215,19 @@ static void a_state_that_the_panel_lacks_is_refused(void **state)
     assert_int_equal(set_byte(GUD_SET_DISPLAY_ENABLE, 255), GUD_PARAMETER);
 }
 
+static void a_format_that_is_not_offered_is_refused(void **state)
+{
+    (void)state;
+    uint8_t data[GUD_DATA_BYTES];
+    for (board.config.format_count = 1; board.config.format_count < sizeof all_formats; board.config.format_count++) {
+        for (unsigned i = 0; i < sizeof all_formats; i++) {
+            state_of(data, all_formats[i]);
+            assert_int_equal(set(GUD_SET_STATE_CHECK, data, sizeof data),
+                             i < board.config.format_count ? GUD_OK : GUD_PARAMETER);
+        }
+    }
+}
+
 static void steps_out_of_order_are_protocol_errors(void **state)
 {
     (void)state;
@@ -370,6 +383,7 @@ int main(void)
         DEVICE_TEST(the_display_has_one_connector),
         DEVICE_TEST(a_buffer_may_have_31_bits_and_no_more),
         DEVICE_TEST(a_state_that_the_panel_lacks_is_refused),
+        DEVICE_TEST(a_format_that_is_not_offered_is_refused),
         DEVICE_TEST(steps_out_of_order_are_protocol_errors),
         DEVICE_TEST(a_check_changes_nothing_until_its_commit),
         DEVICE_TEST(a_commit_drops_the_rectangle_of_the_earlier_state),

@@ -162,6 +162,27 @@ static void two_cores_draw_what_one_does_whichever_is_first(void **state)
     }
 }
 
+static void a_ball_of_the_demo_is_lit_from_the_left_above(void **state)
+{
+    (void)state;
+    struct glint_pose pose;
+    uint32_t left = 0, right = 0, above = 0, below = 0;
+    start(&one_core);
+    demo_pose(&pose, 0, WIDTH);
+    assert_int_equal(turntable_frame(&turntable, &pose, demo_mesh_light), GLINT_OK);
+    while (turntable_step(&turntable) == TURNTABLE_BUSY)
+        end_flush();
+    for (unsigned y = 0; y < HEIGHT; y++)
+        for (unsigned x = 0; x < WIDTH; x++) {
+            const uint16_t pixel = board.screen[y * WIDTH + x];
+            const uint32_t green = pixel == BACKGROUND ? 0 : pixel >> 5 & 63;
+            *(x < WIDTH / 2 ? &left : &right) += green;
+            *(y < HEIGHT / 2 ? &above : &below) += green;
+        }
+    assert_true(left > right + right / 4);
+    assert_true(above > below + below / 4);
+}
+
 static void a_stop_waits_for_the_other_core_and_the_bus(void **state)
 {
     (void)state;
@@ -349,6 +370,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_are_the_librarys_however_slow_the_bus_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
+        cmocka_unit_test(a_ball_of_the_demo_is_lit_from_the_left_above),
         cmocka_unit_test(a_stop_waits_for_the_other_core_and_the_bus),
         cmocka_unit_test(a_stop_after_a_frame_does_not_wait_for_a_core_that_is_done),
         cmocka_unit_test(a_stop_waits_for_the_interrupt_that_ends_the_last_transfer),

@@ -258,6 +258,56 @@ static void a_colour_that_leaves_its_range_behind_a_line_s_first_pixel_is_held(v
     }
 }
 
+/* With this normal t, an even number as that of every corner, is that. */
+static void normal_of_t(int16_t normal[3], const struct glint_vec *h, uint32_t t)
+{
+    for (int32_t x = -8000; x < 8000; x++)
+        for (int32_t y = -8000; y < 0; y++) {
+            const uint32_t rest = t - ((uint32_t)(x * x) >> 1) - ((uint32_t)(y * y) >> 1);
+            const int32_t z = (int32_t)lround(sqrt(2. * (double)(rest & INT32_MAX)));
+            if (rest >> 31 || (uint32_t)z * (uint32_t)z >> 1 != rest)
+                continue;
+            normal[0] = (int16_t)(h->x + x);
+            normal[1] = (int16_t)(h->y + y);
+            normal[2] = (int16_t)(h->z - z);
+            return;
+        }
+    assert_true(false);
+}
+
+static void the_fused_lines_of_albedo_tables_end_a_highlight_where_the_general_way_does(void **state)
+{
+    (void)state;
+    static const int16_t places[3][3] = {{-30000, -30000, 0}, {30000, -30000, 0}, {0, 30000, 0}};
+    static const int32_t to_light[3] = {-4, 6, 8};
+    static uint16_t out[MESH_H * MESH_W], expected[MESH_H * MESH_W + 1];
+    uint8_t *const at_an_odd_address = (uint8_t *)expected + 1; /* where nothing is fused */
+    struct look look = random_look(GLINT_RGB565, GLINT_GAMMA);
+    struct glint_paint paint;
+    for (uint16_t n = 60; n == 60 || paint.of.tables.filled.t_max_q30 % 2; n++) {
+        set_model(&look, GLINT_MSH, n, 2);
+        make_grey(&look, 8000, 20000);
+        look.output.dither = false;
+        assert_int_equal(look_light(&look, to_light, in_front), GLINT_OK);
+        paint_of_tables(&paint, GLINT_TABLES_ALBEDO, &look, memory);
+    }
+    mesh_made(&mesh, 3, 1);
+    memcpy(mesh.places, places, sizeof places);
+    memset(mesh.colours, 128, sizeof mesh.colours);
+    mesh.mesh.of_vertices = &mesh.colours[0][0];
+    for (uint16_t i = 0; i < 3; i++)
+        mesh.faces[0][i] = i;
+    for (unsigned beyond = 0; beyond < 2; beyond++) {
+        for (unsigned i = 0; i < 3; i++)
+            normal_of_t(mesh.normals[i], &paint.h, paint.of.tables.filled.t_max_q30 + 2 * beyond);
+        memset(out, GUARD, sizeof out);
+        memset(expected, GUARD, sizeof expected);
+        mesh_picture(&mesh, &paint, (uint8_t *)out, 2, whole, 1, false);
+        mesh_picture(&mesh, &paint, at_an_odd_address, 2, whole, 1, false);
+        assert_memory_equal(out, at_an_odd_address, sizeof out);
+    }
+}
+
 /* The parts of a line in perspective, one after the other: `perspective` of sequence.md. */
 static unsigned parts_of[9];
 
@@ -384,6 +434,7 @@ int main(void)
         cmocka_unit_test(a_face_of_full_levels_has_them_in_light_that_is_ambient_alone),
         cmocka_unit_test(the_fused_lines_of_albedo_tables_have_the_pixels_of_the_general_way),
         cmocka_unit_test(a_colour_that_leaves_its_range_behind_a_line_s_first_pixel_is_held),
+        cmocka_unit_test(the_fused_lines_of_albedo_tables_end_a_highlight_where_the_general_way_does),
         cmocka_unit_test(in_perspective_textures_go_in_steps_of_the_sequence),
         cmocka_unit_test(colours_of_vertices_are_linear_between_them),
     };
