@@ -53,11 +53,11 @@ static void edges_fronts(const struct glint_mesh_frame *frame, const struct glin
     glint_mesh_sort(frame, drawn, frame->y);
 }
 
-/* A clipped face shows what its fan shows at the edge that is in. */
+/* A clipped face with an edge that is in shows what the largest triangle of its fan shows. */
 static void edges_clipped(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
 {
     for (unsigned i = 0; i < drawn->mesh->face_count; i++)
-        if (drawn->edges[i] & GLINT_EDGES_CLIPPED && glint_mesh_fan_beside(frame, drawn, i))
+        if (drawn->edges[i] & GLINT_EDGES_CLIPPED && glint_mesh_fan_largest(frame, drawn, i))
             drawn->edges[i] |= GLINT_EDGES_FRONT;
 }
 

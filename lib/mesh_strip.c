@@ -70,16 +70,25 @@ static unsigned fan_clip(struct glint_mesh_bench *bench, const struct glint_mesh
     return glint_mesh_clip(&bench->polygon, frame, drawn, drawn->mesh->faces + 3 * (size_t)face);
 }
 
-/* Corners that are in stay side by side: 0 is the polygon's first, 1 its second one, 2 the last. */
-bool glint_mesh_fan_beside(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face)
+/* Of the others rounding may turn one over: of a corner at the near plane it makes 8 of each 1/16 pixel. */
+bool glint_mesh_fan_largest(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    const unsigned edge = glint_mesh_edge_in(drawn, face);
-    const unsigned count = edge < 3 ? fan_clip(bench, frame, drawn, face) : 0;
-    if (count == 0)
-        return false;
-    fan_set(bench, frame, drawn, edge == 2 ? count - 1 : 2);
-    return glint_mesh_area(&bench->vertex[0], &bench->vertex[1], &bench->vertex[2]) < 0;
+    const unsigned count = glint_mesh_edge_in(drawn, face) < 3 ? fan_clip(bench, frame, drawn, face) : 0;
+    unsigned largest = 2;
+    int32_t most = 0, size = 0;
+    for (unsigned i = 2; i < count; i++) {
+        fan_set(bench, frame, drawn, i);
+        const int32_t area = glint_mesh_area(&bench->vertex[0], &bench->vertex[1], &bench->vertex[2]);
+        if ((area < 0 ? -area : area) > size) {
+            size = area < 0 ? -area : area;
+            most = area;
+            largest = i;
+        }
+    }
+    if (most < 0)
+        fan_set(bench, frame, drawn, largest);
+    return most < 0;
 }
 
 /* A face, clipped, as a fan. Alone, for the stack of what draws other faces. */

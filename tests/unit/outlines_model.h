@@ -66,10 +66,10 @@ static inline bool model_is_in(const struct model_mesh *m, unsigned face, unsign
     return !model_corner(m, face, k)->out && !model_corner(m, face, k + 1)->out;
 }
 
-/* A clipped face as triangles; beside: that of the edge whose ends need not be clipped, by how much of corners 1 and 2 there is. */
+/* A clipped face as triangles. */
 struct model_fan {
-    unsigned count;
-    int beside;
+    unsigned count, largest;
+    int32_t area; /* of that; 0: there is none */
     struct glint_mesh_vertex at[GLINT_MESH_POLYGON][3];
 };
 
@@ -79,17 +79,16 @@ static inline void model_fan_set(struct model_fan *fan, const struct model_mesh 
     const unsigned count = glint_mesh_clip(&polygon, m->frame, &m->drawn, m->shown.made->faces[face]);
     const struct glint_mesh_clipped *const of = polygon.list[polygon.now].corner;
     fan->count = count < 3 ? 0 : count - 2;
-    fan->beside = -1;
+    fan->area = 0;
     for (unsigned i = 0; i < fan->count; i++) {
-        unsigned whole = 0; /* corners of the face */
-        for (unsigned k = 0; k < 3; k++) {
-            const struct glint_mesh_clipped *const corner = k ? &of[i + k] : of;
-            const unsigned second = corner->weight[0], third = corner->weight[1];
-            glint_mesh_clip_vertex(&fan->at[i][k], m->frame, &m->drawn, corner);
-            whole += second + third == 0 || second == 32768 || third == 32768;
+        struct glint_mesh_vertex *const at = fan->at[i];
+        for (unsigned k = 0; k < 3; k++)
+            glint_mesh_clip_vertex(&at[k], m->frame, &m->drawn, k ? &of[i + k] : of);
+        const int32_t area = glint_mesh_area(&at[0], &at[1], &at[2]);
+        if (abs(area) > abs(fan->area)) {
+            fan->area = area;
+            fan->largest = i;
         }
-        if (whole == 2 && fan->beside < 0)
-            fan->beside = (int)i;
     }
 }
 
@@ -100,10 +99,7 @@ static inline bool model_fan_shows(const struct model_mesh *m, unsigned face)
     for (unsigned k = 0; k < 3; k++)
         has_edge |= model_is_in(m, face, k);
     model_fan_set(&fan, m, face);
-    if (!has_edge || fan.beside < 0)
-        return false;
-    const struct glint_mesh_vertex *const at = fan.at[fan.beside];
-    return glint_mesh_area(&at[0], &at[1], &at[2]) < 0;
+    return has_edge && fan.area < 0;
 }
 
 static inline int model_along(const struct model_edge *edge, const struct glint_mesh_vertex *v)
@@ -122,11 +118,12 @@ static inline void model_edge_set(struct model_edge *edge, const struct model_me
     const struct glint_mesh_vertex *a = model_corner(m, face, k), *b = model_corner(m, face, k + 1),
                                    *c = model_corner(m, face, k + 2);
     struct model_fan fan;
-    if (m->is_clipped[face]) { /* a and b are corners of that triangle: the third one of it */
+    if (m->is_clipped[face]) { /* of that triangle the corner that is farthest from a and b */
         model_fan_set(&fan, m, face);
-        c = fan.at[fan.beside];
-        while (glint_mesh_area(a, b, c) == 0)
-            c++;
+        c = fan.at[fan.largest];
+        for (unsigned i = 1; i < 3; i++)
+            if (abs(glint_mesh_area(a, b, &fan.at[fan.largest][i])) > abs(glint_mesh_area(a, b, c)))
+                c = &fan.at[fan.largest][i];
     }
     edge->is_flat = abs(b->y - a->y) < abs(b->x - a->x);
     edge->p = model_along(edge, b) < model_along(edge, a) ? b : a;

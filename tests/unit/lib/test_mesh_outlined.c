@@ -130,6 +130,36 @@ static void outlines_are_those_of_the_sequence_by_any_paint(void **state)
     assert_true(blended > 10000 && clipped > 300 && rounds[COLOUR] > 1 && rounds[DITHERED] > 1 && rounds[ALBEDO] > 1);
 }
 
+/* Two fronts; the second one has a corner behind the viewer, and the edge between ends about the near plane. */
+static void an_edge_between_two_fronts_is_no_outline_where_it_ends_at_the_near_plane(void **state)
+{
+    (void)state;
+    static const int16_t places[4][3] = {{-2000, 0, 0}, {2000, 500, 0}, {0, 2000, 0}, {0, -2000, 32767}};
+    static const uint16_t faces[2][3] = {{0, 1, 2}, {1, 0, 3}};
+    static struct painted painted;
+    struct made_mesh *const m = &meshes[0];
+    const struct mesh_shown shown = {m, painted.paints};
+    paint_parts(&painted, EXACT, GLINT_RGB888, GLINT_GAMMA);
+    for (int16_t z = 28500; z < 28800; z++) {
+        mesh_made(m, 4, 2);
+        memcpy(m->places, places, sizeof places);
+        memcpy(m->faces, faces, sizeof faces);
+        for (unsigned i = 0; i < 4; i++)
+            m->normals[i][2] = 32767;
+        m->places[z & 1][2] = z;
+        m->pose.scale = 16 * 600;
+        m->distance = 16 * 600;
+        mesh_join_both_ways(m);
+        model_begin(&model, &shown, 1);
+        model_draw(&model, GLINT_RGB888, 0);
+        memset(pictures[0], 0, sizeof pictures[0]);
+        meshes_picture(&shown, 1, &in_strips, pictures[0], bytes_of(GLINT_RGB888, MESH_W));
+        assert_same_pixels(pictures[0], model.pixels, GLINT_RGB888, z);
+        if (!model.meshes[0].drawn.vertices[z & 1].out)
+            assert_int_equal(model.meshes[0].drawn.edges[0] & 1, 0);
+    }
+}
+
 /* ---- Where there is no model ---- */
 
 enum albedo { PLAIN, OF_VERTICES, OF_FACES, TEXTURED, ALBEDOS };
@@ -457,6 +487,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(outlines_are_those_of_the_sequence_by_any_paint),
+        cmocka_unit_test(an_edge_between_two_fronts_is_no_outline_where_it_ends_at_the_near_plane),
         cmocka_unit_test(outlines_of_any_meshes_do_not_depend_on_how_their_picture_is_cut),
         cmocka_unit_test(outlines_are_the_same_in_lines_that_lie_apart_and_beside_a_mesh_that_has_none),
         cmocka_unit_test(pixels_that_no_outline_cuts_are_those_without_outlines),
