@@ -68,8 +68,8 @@ static inline bool model_is_in(const struct model_mesh *m, unsigned face, unsign
 
 /* A clipped face as triangles. */
 struct model_fan {
-    unsigned count, largest;
-    int32_t area; /* of that; 0: there is none */
+    unsigned count;
+    int32_t area; /* of the largest; 0: there is none */
     struct glint_mesh_vertex at[GLINT_MESH_POLYGON][3];
 };
 
@@ -85,10 +85,8 @@ static inline void model_fan_set(struct model_fan *fan, const struct model_mesh 
         for (unsigned k = 0; k < 3; k++)
             glint_mesh_clip_vertex(&at[k], m->frame, &m->drawn, k ? &of[i + k] : of);
         const int32_t area = glint_mesh_area(&at[0], &at[1], &at[2]);
-        if (abs(area) > abs(fan->area)) {
+        if (abs(area) > abs(fan->area))
             fan->area = area;
-            fan->largest = i;
-        }
     }
 }
 
@@ -117,14 +115,6 @@ static inline void model_edge_set(struct model_edge *edge, const struct model_me
 {
     const struct glint_mesh_vertex *a = model_corner(m, face, k), *b = model_corner(m, face, k + 1),
                                    *c = model_corner(m, face, k + 2);
-    struct model_fan fan;
-    if (m->is_clipped[face]) { /* of that triangle the corner that is farthest from a and b */
-        model_fan_set(&fan, m, face);
-        c = fan.at[fan.largest];
-        for (unsigned i = 1; i < 3; i++)
-            if (abs(glint_mesh_area(a, b, &fan.at[fan.largest][i])) > abs(glint_mesh_area(a, b, c)))
-                c = &fan.at[fan.largest][i];
-    }
     edge->is_flat = abs(b->y - a->y) < abs(b->x - a->x);
     edge->p = model_along(edge, b) < model_along(edge, a) ? b : a;
     edge->q = edge->p == a ? b : a;
@@ -139,8 +129,11 @@ static inline void model_edge_set(struct model_edge *edge, const struct model_me
     edge->inverse = glint_mesh_inverse((uint32_t)length << edge->zeros >> 4);
     edge->step = change * edge->inverse >> (31 - edge->zeros);
     edge->e = (int64_t)4096 * model_across(edge, edge->p) + (edge->step >> 4) * (16 * edge->first + 8 - low);
-    edge->inside_is_after =
-        (int64_t)(model_across(edge, c) - model_across(edge, edge->p)) * length > change * (model_along(edge, c) - low);
+    if (m->is_clipped[face]) /* c lies anywhere; fronts have their corners in one turn */
+        edge->inside_is_after = edge->is_flat == (edge->p == b);
+    else
+        edge->inside_is_after = (int64_t)(model_across(edge, c) - model_across(edge, edge->p)) * length >
+                                change * (model_along(edge, c) - low);
 }
 
 static inline void model_set(struct model_mesh *m)
