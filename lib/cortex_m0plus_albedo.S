@@ -185,7 +185,7 @@
     mov factor, r4
     ldr r4, 2f
     mov gaps, r4
-    ldr r4, 2f + 4
+    ldr r4, 3f
     mov half, r4
     movs albedo, r2
     mov r3, r5
@@ -196,7 +196,8 @@
     mov r1, r3
     b .L\name\()_rest
     .balign 4
-2:  .word 0xf81f07e0, 0x02008010
+2:  .word 0xf81f07e0
+3:  .word 0x02008010
 
 .L\name\()_gap: /* v is the word, r0 past it */
     cmp v, #0

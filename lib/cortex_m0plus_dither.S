@@ -183,7 +183,7 @@
     str r5, [sp, #OUR_START]
     ldr r5, 2f
     str r5, [sp, #OUR_GUARDS]
-    ldr r5, 2f + 4
+    ldr r5, 3f
     str r5, [sp, #OUR_FIELDS]
     ldr r5, [sp, #OURS + SAVED + 4]
     lsls r5, r5, #30
@@ -191,19 +191,19 @@
     ldr r6, [r0, #GLINT_AT_TABLES_COLUMNS]
     mov shines, r6
     ldr r6, [r0, #GLINT_AT_TABLES_COLOUR]
-    ldr r7, 2f + 8
+    ldr r7, 4f
     muls r7, r5
     adds r7, r7, r6
     adds r7, #1 << GLINT_DITHER_PIXELS_LOG
     mov pixels, r7
-    ldr r7, 2f + 12
+    ldr r7, 5f
     muls r7, r5
     adds r7, r7, r6
-    ldr r6, 2f + 16
+    ldr r6, 6f
     adds r7, r7, r6
     mov sums, r7
     lsls r5, r5, #2
-    ldr r6, 2f + 20
+    ldr r6, 7f
     lsrs r6, r5
     lsls r6, r6, #28
     lsrs r6, r6, #32 - GLINT_DITHER_ROW_SHIFT /* 4 bits, to the eighths of a row in Q29 */
@@ -222,7 +222,12 @@
     mov r1, r3
     b .L\name\()_rest
     .balign 4
-2:  .word 0x00200800, 0xf81f07e0, GLINT_DITHER_PIXELS_PART, GLINT_DITHER_SUMS_PART, GLINT_DITHER_SUMS, 0x3157
+2:  .word 0x00200800
+3:  .word 0xf81f07e0
+4:  .word GLINT_DITHER_PIXELS_PART
+5:  .word GLINT_DITHER_SUMS_PART
+6:  .word GLINT_DITHER_SUMS
+7:  .word 0x3157
 
 .L\name\()_gap: /* v is the word, r0 past it */
     cmp v, #0
