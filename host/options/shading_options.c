@@ -253,6 +253,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->shading.format = (enum glint_format)parse_choice(state, "--format", "format", text, format_names);
         o->has_format = true;
         return 0;
+    case KEY_ACROSS:
+        o->has_across = true;
+        return parse_shading(key, text, state, &o->shading);
     case KEY_VIEW:
         o->has_view = true;
         return parse_shading(key, text, state, &o->shading);
@@ -331,8 +334,8 @@ struct shading shading_of_options(const struct shading_options *options, enum gl
     if (!shading.n_across && model_has_grain(shading.model))
         shading.n_across = finish->n_across;
     /* a mesh has that of its material where --grain says which way */
-    if (shading.n_across == shading.n || (options->scene.mesh.name && !options->scene.has_grain &&
-                                          (options->has_material || !options->shading.n_across)))
+    if (shading.n_across == shading.n ||
+        (options->scene.mesh.name && !options->scene.has_grain && !options->has_across))
         shading.n_across = 0;
     default_to(shading.ambient, finish->ambient);
     default_to(shading.diffuse, finish->diffuse);

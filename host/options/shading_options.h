@@ -16,6 +16,7 @@ struct shading_options {
     bool has_color;           /* instead of an albedo */
     bool has_material;        /* whose values are in `shading` where no option says otherwise */
     unsigned material;        /* its place in preset_names */
+    bool has_across;          /* by --across; else that of the material or the scene */
     bool has_view;
     bool has_light;         /* of any kind; otherwise the default one */
     bool has_format;        /* otherwise RGB888, or the device's */

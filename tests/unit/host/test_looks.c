@@ -154,6 +154,23 @@ static void a_grain_said_in_two_ways_is_drawn_alike(void **state)
     assert_false(same_file("out/a.ppm", "out/b.ppm"));
 }
 
+/* A material's own grain needs a --grain, which says which way; --across asks for it. */
+static void across_overrides_the_material_of_a_mesh(void **state)
+{
+    (void)state;
+    static const char *const materials[] = {"brass", "brushed-steel"};
+    for (size_t i = 0; i < 2; i++) {
+        char line[400];
+        snprintf(line, sizeof line,
+                 "for o in '' '--across 20' '--across 20 --grain brushed:0'; do $GLINT render teapot --size 96x96 "
+                 "--material %s $o -o \"out/teapot $o.ppm\" || exit 1; done",
+                 materials[i]);
+        assert_quiet(line);
+        assert_same_file("out/teapot --across 20.ppm", "out/teapot --across 20 --grain brushed:0.ppm");
+        assert_false(same_file("out/teapot --across 20.ppm", "out/teapot .ppm"));
+    }
+}
+
 static void equal_shininess_along_and_across_is_no_grain(void **state)
 {
     (void)state;
@@ -475,6 +492,7 @@ int main(void)
         cmocka_unit_test(scenes_with_a_grain_are_within_a_level_of_double_precision),
         cmocka_unit_test(meshes_with_and_without_grain_are_46_db_or_nearer_to_double_precision),
         cmocka_unit_test(a_grain_said_in_two_ways_is_drawn_alike),
+        cmocka_unit_test(across_overrides_the_material_of_a_mesh),
         cmocka_unit_test(equal_shininess_along_and_across_is_no_grain),
         cmocka_unit_test(a_scene_over_a_background_is_within_half_a_level_of_double_precision),
         cmocka_unit_test(the_background_is_seen_where_nothing_is_drawn),
