@@ -131,6 +131,12 @@ static void say_roughness(const struct shading_options *options)
              options->shading.n);
 }
 
+static void say_texture(const struct shading_options *options)
+{
+    if (options->scene.mesh.texture && shading_options_one_color(options))
+        warn("--texture is left out: %s draws a mesh in one colour", options->has_color ? "--color" : "--material");
+}
+
 static void parse_view(const struct argp_state *state, const char *text, double view[3])
 {
     parse_reals(state, "--view", text, view, 3, -1e6, 1e6);
@@ -270,6 +276,7 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         return 0;
     case ARGP_KEY_SUCCESS:
         say_roughness(o);
+        say_texture(o);
         return 0;
     default:
         return parse_shading(key, text, state, &o->shading);

@@ -151,7 +151,7 @@ export class Engine {
             const milliseconds = performance.now() - start
             const warnings = this.module.takeWarnings()
             if (keep !== keepCanvas)
-                this.surfaceWarnings = keep === keepScene ? [...this.surfaceWarnings.filter(w => !/^--(path|roughness)/.test(w)), ...warnings] : warnings
+                this.surfaceWarnings = keep === keepScene ? [...this.surfaceWarnings.filter(w => !/^--(path|roughness|texture)/.test(w)), ...warnings] : warnings
             this.surface = surface
             this.material = material
             this.drawn = words

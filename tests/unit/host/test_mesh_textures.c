@@ -284,6 +284,25 @@ static void an_obj_wears_the_picture_that_its_material_names(void **state)
     assert_four("s.ppm");
 }
 
+static void a_texture_that_one_colour_hides_is_named_in_a_line(void **state)
+{
+    (void)state;
+    static const char *const hiding[] = {"--color 9,99,199", "--material brass"}, *const commands[] = {
+                                                                                      "render",
+                                                                                      "stream --frames 1 --to png"};
+    make_four("four.png");
+    for (unsigned i = 0; i < 4; i++) {
+        char line[200], said[100];
+        snprintf(line, sizeof line, "$GLINT %s teapot --size 9x9 --texture four.png %s -o hidden.png", commands[i / 2],
+                 hiding[i % 2]);
+        snprintf(said, sizeof said, "glint: --texture is left out: %.*s draws a mesh in one colour\n",
+                 (int)strcspn(hiding[i % 2], " "), hiding[i % 2]);
+        const struct run *drawn = run(line);
+        assert_int_equal(drawn->status, 0);
+        assert_string_equal(drawn->err, said);
+    }
+}
+
 static char *base64_of(const char *path)
 {
     char line[100];
@@ -689,6 +708,7 @@ int main(void)
         cmocka_unit_test(a_palette_of_few_colours_is_exact_and_one_of_many_is_near),
 #if GLINT_WITH_MESH
         cmocka_unit_test(an_obj_wears_the_picture_that_its_material_names),
+        cmocka_unit_test(a_texture_that_one_colour_hides_is_named_in_a_line),
         cmocka_unit_test(a_gltf_names_its_picture_or_holds_it),
         cmocka_unit_test(a_gltf_says_how_its_picture_is_taken),
         cmocka_unit_test(roughness_and_metal_become_shininess_and_highlight),
