@@ -76,14 +76,18 @@ static double assign(struct palette_choice *c, struct palette_grid *grid, uint32
 {
     sigset_t before;
     palette_sort_centers(c, grid, order);
-    signals_hold_but_faults(&before); /* the first thread alone takes them */
-#pragma omp parallel for schedule(static)
-    for (size_t i = 0; i < c->count; i++) {
-        double off;
-        c->nearest[i] = palette_nearest(c, grid, order, c->points[i].at, &off);
-        c->off[i] = off * c->points[i].weight;
+    signals_hold_but_faults(&before); /* the first thread alone takes them, at once: of a large map this takes long */
+#pragma omp parallel
+    {
+#pragma omp master
+        signals_release(&before);
+#pragma omp for schedule(static)
+        for (size_t i = 0; i < c->count; i++) {
+            double off;
+            c->nearest[i] = palette_nearest(c, grid, order, c->points[i].at, &off);
+            c->off[i] = off * c->points[i].weight;
+        }
     }
-    signals_release(&before);
     double largest = 0;
     for (size_t i = 0; i < c->count; i++)
         largest = fmax(largest, c->off[i]);
@@ -105,15 +109,19 @@ static void move_centers(struct palette_choice *c, uint32_t *first, uint32_t *me
     first[0] = 0;
     sigset_t before;
     signals_hold_but_faults(&before);
-#pragma omp parallel for schedule(dynamic, 64)
-    for (uint32_t i = 0; i < c->entries; i++) {
-        const uint32_t *own = members + first[i], count = first[i + 1] - first[i];
-        if (limit > 0)
-            move_to_mean(c, own, count, limit, c->centers[i].at);
-        else
-            move_to_middle(c, own, count, c->centers[i].at);
+#pragma omp parallel
+    {
+#pragma omp master
+        signals_release(&before);
+#pragma omp for schedule(dynamic, 64)
+        for (uint32_t i = 0; i < c->entries; i++) {
+            const uint32_t *own = members + first[i], count = first[i + 1] - first[i];
+            if (limit > 0)
+                move_to_mean(c, own, count, limit, c->centers[i].at);
+            else
+                move_to_middle(c, own, count, c->centers[i].at);
+        }
     }
-    signals_release(&before);
 }
 
 void palette_rounds(struct palette_choice *c)

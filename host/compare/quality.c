@@ -62,11 +62,15 @@ void bake_quality(const struct scene *scene, const struct baked *baked, struct q
     for (int row = 0; row < QUALITY_ROWS; row++) {
         struct difference each[LIGHTS] = {{0}};
         sigset_t before;
-        signals_hold_but_faults(&before); /* the first thread alone takes them */
-#pragma omp parallel for schedule(dynamic)
-        for (int light = 0; light < LIGHTS; light++)
-            add_light(&exact, &lossy, shininess[row], light, &each[light]);
-        signals_release(&before);
+        signals_hold_but_faults(&before); /* the first thread alone takes them, at once */
+#pragma omp parallel
+        {
+#pragma omp master
+            signals_release(&before);
+#pragma omp for schedule(dynamic)
+            for (int light = 0; light < LIGHTS; light++)
+                add_light(&exact, &lossy, shininess[row], light, &each[light]);
+        }
         rows[row] = (struct quality){.n = shininess[row]};
         for (int light = 0; light < LIGHTS; light++) /* in order: the same sums each time */
             difference_merge(&rows[row].difference, &each[light]);

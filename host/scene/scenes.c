@@ -164,11 +164,15 @@ static void draw_relief(const struct drawing *drawing)
     enum { BAND = 32 }; /* lines; each band finds the heights above it again */
     const size_t height = drawing->scene->height;
     sigset_t before;
-    signals_hold_but_faults(&before); /* the first thread alone takes them */
-#pragma omp parallel for schedule(dynamic)
-    for (size_t y = 0; y < height; y += BAND)
-        draw_relief_lines(drawing, y, height - y < BAND ? height : y + BAND);
-    signals_release(&before);
+    signals_hold_but_faults(&before); /* the first thread alone takes them, at once: a large scene takes long */
+#pragma omp parallel
+    {
+#pragma omp master
+        signals_release(&before);
+#pragma omp for schedule(dynamic)
+        for (size_t y = 0; y < height; y += BAND)
+            draw_relief_lines(drawing, y, height - y < BAND ? height : y + BAND);
+    }
 }
 
 static struct relief before_cloth(double x, double y)

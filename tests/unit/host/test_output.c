@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #if defined(_OPENMP)
 #include <omp.h>
 #endif
@@ -18,6 +19,7 @@
 #include "base/stop.h"
 #include "compare/quality.h"
 #include "scene/scene.h"
+#include "scene/scenes.h"
 
 /* ---- in a process of its own, linked in ---- */
 
@@ -242,6 +244,11 @@ static void judge_what_is_baked(void)
     bake_quality(&scene, &baked, rows);
 }
 
+static void draw_a_scene(void)
+{
+    scene_free(scene_draw("coin", 64, 64));
+}
+
 static void (*work)(void);
 
 static void work_in_threads(void)
@@ -253,13 +260,39 @@ static void work_in_threads(void)
     _exit(threads_hold_signals() ? 0 : 98);
 }
 
-static void threads_leave_signals_to_the_first(void **state)
+static volatile sig_atomic_t taken_at_once;
+
+static void take(int signal_number)
+{
+    (void)signal_number;
+#if defined(_OPENMP)
+    taken_at_once |= omp_in_parallel();
+#else
+    taken_at_once = 1;
+#endif
+}
+
+static void work_as_signals_come(void)
+{
+    const struct itimerval often = {{0, 300}, {0, 300}};
+    signal(SIGALRM, take);
+    setitimer(ITIMER_REAL, &often, NULL);
+#if defined(_OPENMP)
+    omp_set_num_threads(3);
+#endif
+    for (int i = 0; i < 3000 && !taken_at_once; i++)
+        work();
+    _exit(taken_at_once ? 0 : 98);
+}
+
+static void threads_leave_signals_to_the_first_which_takes_them_at_once(void **state)
 {
     (void)state;
-    static void (*const works[])(void) = {choose_a_palette, judge_what_is_baked};
+    static void (*const works[])(void) = {choose_a_palette, judge_what_is_baked, draw_a_scene};
     for (size_t i = 0; i < sizeof works / sizeof *works; i++) {
         work = works[i];
         assert_int_equal(status_of(work_in_threads), 0);
+        assert_int_equal(status_of(work_as_signals_come), 0);
     }
 }
 
@@ -449,7 +482,7 @@ int main(void)
         TEST(a_stack_that_runs_out_leaves_nothing),
         TEST(a_fault_that_is_sent_while_a_file_is_opened_beside_a_drawing_thread_leaves_nothing),
         TEST(a_drawing_thread_that_gives_up_leaves_nothing),
-        TEST(threads_leave_signals_to_the_first),
+        TEST(threads_leave_signals_to_the_first_which_takes_them_at_once),
         TEST(an_error_in_the_middle_is_not_forgotten_when_the_end_is_written),
         TEST(a_signal_that_ends_the_command_leaves_nothing),
         TEST(a_signal_that_is_ignored_stays_so),
