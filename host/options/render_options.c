@@ -104,6 +104,9 @@ static void check_outputs(const struct argp_state *state, struct render_options 
     if (o->gouraud && (!o->look.scene.mesh.name || o->raw))
         refuse(state, o->raw ? "--image raw is what the library writes; it cannot be used with --gouraud"
                              : "--gouraud needs a mesh; give --mesh FILE or --scene teapot");
+    if (o->gouraud && format_has_alpha(o->look.shading.format))
+        refuse(state, "--gouraud draws no alpha; choose another --format than %s",
+               format_names[o->look.shading.format]);
     if (o->widen == WIDEN_REPLICATE && (o->raw || !o->output))
         refuse(state, o->raw ? "--replicate cannot be used with --image raw, whose pixels are as the library wrote them"
                              : "--replicate is for the picture of -o; give -o FILE");

@@ -59,6 +59,8 @@ static void options_that_do_not_fit_a_mesh_are_refused(void **state)
         {"render --mesh a.obj --scene teapot -o a.png", "give only one of"},
         {"render --scene coin --gouraud -o a.png", "--gouraud needs a mesh"},
         {"render --scene teapot --gouraud --image raw -o a", "cannot be used with --gouraud"},
+        {"render --scene teapot --gouraud --format argb8888 -o a.png",
+         "--gouraud draws no alpha; choose another --format than argb8888"},
         {"render --scene teapot --gloss a.png -o a.png", "--gloss is for maps"},
         {"render --mesh - --height - -o a.png", "give only one of"},
         {"stream --mesh - --lights - --to none", "only one of --lights, the maps and the mesh can come"},
