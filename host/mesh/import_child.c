@@ -278,8 +278,11 @@ static const char *check_file(struct import_source *source, bool is_gltf, uint64
         return wrong;
     if (is_gltf)
         return gltf_check(source->bytes, source->len, triangles);
-    if (is_ply)
-        return ply_check(source->bytes, &source->len);
+    if (is_ply) {
+        wrong = ply_check(source->bytes, &source->len);
+        source->bytes[source->len++] = '\n'; /* without, libassimp takes what an earlier line had there */
+        return wrong;
+    }
     const size_t binary = stl_binary_len(source->bytes, source->len);
     if (binary)
         source->len = binary;

@@ -24,7 +24,7 @@ extern const char import_files_input[]; /* how libassimp's name of standard inpu
 FILE *import_files_open(const char *path, size_t *len, const char **wrong);
 /* The same by how the mesh names it: in its folder, with the other system's separators and %20, too. */
 FILE *import_files_open_named(const struct import_source *source, const char *name, size_t *len, const char **wrong);
-/* At most *len bytes, which is how many they are then; closes the stream. */
+/* At most *len bytes, which is how many they are then, with room for one more; closes the stream. */
 char *import_files_read_all(FILE *stream, size_t *len);
 /* One such message: it lies elsewhere. */
 const char *import_files_outside(const struct import_source *source);

@@ -10,7 +10,7 @@ struct import_source {
     const char *name;   /* for messages */
     const char *path;   /* NULL: standard input */
     const char *ending; /* ".obj", ".stl", ".ply", ".gltf" or ".glb": the format */
-    char *bytes;        /* NULL: those of the file */
+    char *bytes;        /* NULL: those of the file; there is room for one more */
     size_t len;
     bool textures;       /* are its pictures wanted? */
     const char *allowed; /* a folder whose files it may name, beside its own; or NULL */

@@ -100,6 +100,8 @@ static void a_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state
         snprintf(made, sizeof made, "sed '%s' a.ply >made.ply && ! cmp -s a.ply made.ply", edits[i]);
         assert_same_mesh("a.ply", made);
     }
+    /* no end of the last line, with longer lines before it */
+    assert_same_mesh("a.ply", "sed 's/^2 2 1/2.0 2.0 1.0/; $s/^/ /' a.ply | head -c -1 >made.ply");
     assert_same_mesh("a.ply",
                      "long=$(printf '%5000s' | tr ' ' x) && sed \"s/^property/comment $long\\n&/\" a.ply >made.ply");
 }
