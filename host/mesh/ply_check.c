@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "mesh/ply_check.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -15,6 +16,7 @@ struct property {
     unsigned count_bytes, bytes; /* the first: of a list's length; 0: no list */
     bool is_signed, is_big;      /* that length */
     bool is_float;               /* no list */
+    const char *signs;           /* those that its whole numbers may have; NULL: they have points */
 };
 struct element {
     uint64_t count;
@@ -27,7 +29,8 @@ struct body {
     char *at;
     const char *end;
     bool is_text;
-    bool is_cr; /* lines of the header end in this alone */
+    bool is_cr;     /* lines of the header end in this alone */
+    bool is_broken; /* a number that should be whole is not */
 };
 
 static const char ends[] = "it ends before all that its header promises; export or fetch it again",
@@ -37,6 +40,7 @@ static const char ends[] = "it ends before all that its header promises; export 
                   odd_list[] = "a list's length is not a number from 0 on; export it again",
                   short_line[] = "a line of its data has too few numbers: libassimp takes one for each vertex and each "
                                  "face; export it again",
+                  broken[] = "a number is not whole, as its header promises; export it again",
                   no_faces[] = "it has no faces; make triangles of its points, or export it with its faces",
                   too_many[] = "its header has more than 16 elements, or 256 properties of one; export it without",
                   torn[] = "a comment that names a texture stands among properties; move it above the elements";
@@ -74,6 +78,20 @@ static bool next_line(struct body *body, char line[LINE])
     return true;
 }
 
+/* Between some words libassimp knows one blank only, and no vertical tabs. */
+static void space_words(char *line, char *end)
+{
+    char *to = line;
+    while (end > line && ends_line(end[-1]))
+        end--;
+    for (const char *at = line; at < end; at++)
+        if (!is_blank(*at))
+            *to++ = *at;
+        else if (to > line && to[-1] != ' ')
+            *to++ = ' ';
+    memset(to, ' ', (size_t)(end - to));
+}
+
 static bool is_in(const char *word, const char *words)
 {
     char name[40];
@@ -97,6 +115,11 @@ static unsigned bytes_of(const char *type)
     return 0;
 }
 
+static const char *signs_of(const char *type)
+{
+    return *type == 'f' || *type == 'd' ? NULL : *type == 'u' ? "" : "+-";
+}
+
 static bool take_property(struct element *element, const char *line)
 {
     char type[32], count[32], name[32] = "";
@@ -108,8 +131,10 @@ static bool take_property(struct element *element, const char *line)
         property->count_bytes = is_whole ? bytes_of(count) : 0;
         property->is_signed = count[0] != 'u';
         property->bytes = property->count_bytes ? bytes_of(type) : 0;
+        property->signs = signs_of(type);
     } else if (sscanf(line, "property %31s", type) == 1) {
         property->bytes = bytes_of(type);
+        property->signs = signs_of(type);
         property->is_float = is_in(type, " float float32 double float64 ");
     }
     return property->bytes > 0;
@@ -122,7 +147,7 @@ static bool take_number(const char *word, uint64_t *number)
     errno = 0;
     const long long value = strtoll(word, &end, 10);
     *number = (uint64_t)value;
-    return end != word && !*end && !errno && value >= 0;
+    return isdigit((unsigned char)*word) && !*end && !errno;
 }
 
 static bool take_element(struct element *element, const char *line)
@@ -172,6 +197,8 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
         char *const from = body->at;
         if (!next_line(body, line))
             return ends;
+        if (!begins(line, "comment"))
+            space_words(from, body->at);
         if (strcmp(line, "end_header") == 0)
             break;
         if (memchr(from, 0, (size_t)(body->at - from)))
@@ -231,18 +258,32 @@ static void skip_line(struct body *body)
     skip_blanks(body);
 }
 
+/* libassimp takes what stands behind the digits of a whole number for the next one. */
+static bool is_number(const char *word, const char *end, const char *signs)
+{
+    if (signs && *word && strchr(signs, *word))
+        word++;
+    const char *const digits = word;
+    while (word < end && isdigit((unsigned char)*word))
+        word++;
+    return !signs || (word > digits && word == end);
+}
+
 /* Within a line. Before a word only these are blanks to libassimp. */
-static bool skip_word(struct body *body)
+static bool skip_word(struct body *body, const char *signs)
 {
     while (body->at < body->end && (*body->at == ' ' || *body->at == '\t'))
         body->at++;
     const char *const word = body->at;
     while (body->at < body->end && !is_blank(*body->at))
         body->at++;
-    return body->at > word;
+    if (body->at == word)
+        return false;
+    body->is_broken = !is_number(word, body->at, signs);
+    return !body->is_broken;
 }
 
-static bool skip(struct body *body, uint64_t count, unsigned bytes)
+static bool skip(struct body *body, uint64_t count, unsigned bytes, const char *signs)
 {
     if (!body->is_text && count > (uint64_t)(body->end - body->at) / bytes)
         return false;
@@ -250,14 +291,14 @@ static bool skip(struct body *body, uint64_t count, unsigned bytes)
         body->at += count * bytes;
         return true;
     }
-    while (count && skip_word(body))
+    while (count && skip_word(body, signs))
         count--;
     return count == 0;
 }
 
 static const char *too_short(const struct body *body)
 {
-    return body->is_text && body->at < body->end ? short_line : ends;
+    return body->is_broken ? broken : body->is_text && body->at < body->end ? short_line : ends;
 }
 
 /* Returns what is wrong, or NULL. */
@@ -265,7 +306,7 @@ static const char *take_length(struct body *body, const struct property *list, u
 {
     char word[24] = "";
     const char *const at = body->at;
-    if (!skip(body, 1, list->count_bytes))
+    if (!skip(body, 1, list->count_bytes, NULL))
         return too_short(body);
     if (body->is_text) {
         const char *from = at;
@@ -291,7 +332,7 @@ static const char *check_element(struct body *body, const struct element *elemen
     if (!element->properties)
         return NULL;
     if (!lists && !body->is_text)
-        return skip(body, element->count, bytes) ? NULL : ends;
+        return skip(body, element->count, bytes, NULL) ? NULL : ends;
     for (uint64_t i = 0; i < element->count; i++) {
         for (unsigned k = 0; k < element->properties; k++) {
             const struct property *property = &element->of[k];
@@ -299,7 +340,7 @@ static const char *check_element(struct body *body, const struct element *elemen
             const char *wrong = property->count_bytes ? take_length(body, property, &length) : NULL;
             if (wrong)
                 return wrong;
-            if (!skip(body, length, property->bytes))
+            if (!skip(body, length, property->bytes, element->is_known ? property->signs : NULL))
                 return too_short(body);
         }
         if (body->is_text) /* behind what may be there, too */
@@ -353,7 +394,7 @@ static void leave_mark_out(char *text, size_t *len)
 const char *ply_check(char *text, size_t *len)
 {
     leave_mark_out(text, len);
-    struct body body = {text, text + *len, false, *len > 4 && text[3] == '\r' && text[4] != '\n'};
+    struct body body = {.at = text, .end = text + *len, .is_cr = *len > 4 && text[3] == '\r' && text[4] != '\n'};
     struct element elements[ELEMENTS_MAX];
     unsigned count;
     const char *wrong = read_header(&body, elements, &count);

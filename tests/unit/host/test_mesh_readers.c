@@ -93,7 +93,9 @@ static void a_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state
         /* elements that nothing is made of, and empty lines */
         "s/^element face/element edge 1\\nproperty int vertex1\\n&/; s/^3 0 1 2/1\\n&/",
         "s/^end_header/element camera 1\\nproperty float view_px\\n&/; $s/$/\\n9/",
-        "s/^element face/element camera 0\\n&/", "s/^[0-9].*/\\n&\\n/"};
+        "s/^element face/element camera 0\\n&/", "s/^[0-9].*/\\n&\\n/",
+        /* other blanks between words of the header, and behind them */
+        "1,/^end/ s/ /  /g", "1,/^end/ s/ /\\t/g", "2,/^end/ s/ / \\v/g", "2,/^end/ s/ /\\f/g", "2,/^end/ s/$/\\v/"};
     write_text("a.ply", PLY_VERTICES PLY_FACES "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n");
     for (size_t i = 0; i < sizeof edits / sizeof *edits; i++) {
         char made[300];
@@ -198,6 +200,10 @@ static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **s
         {"s/^3 0 1 2/3 0 1\\n2/", "a line of its data has too few numbers"},
         {"s/^0 1 0/0 \\v1 0/", "a line of its data has too few numbers"},
         {"s/^property list/property uchar a\\n&/; s/^3/1 \\v&/", "a line of its data has too few numbers"},
+        {"s/^3 0 1 2/3 0 1.0 2/", "a number is not whole"},
+        {"s/^3 0 1 2/+3 0 1 2/", "a list's length is not a number from 0 on"},
+        {"s/^property float x/property uchar red\\n&/; s/^[0-9] [0-9] [0-9]$/9.5 &/", "a number is not whole"},
+        {"s/^property float x/property uchar red\\n&/; s/^[0-9] [0-9] [0-9]$/+9 &/", "a number is not whole"},
         {"/^0 0 0/N; s/^0 0 0\\n/0 0 0 /", "it ends before all that its header promises"},
         {"s/^property float y/comment TextureFile a.png\\n&/",
          "a comment that names a texture stands among properties"},
