@@ -244,6 +244,21 @@ static void flush_opened(struct aiFile *file)
     (void)file;
 }
 
+/* libassimp leaves %20 and the like in a glTF's names as they are; they are not in that of its folder. */
+static FILE *open_asked(const char *path, size_t *len, const char **wrong)
+{
+    FILE *stream = import_files_open(path, len, wrong);
+    const char *slash = source->path ? strrchr(source->path, '/') : NULL;
+    const size_t folder = slash ? (size_t)(slash - source->path) + 1 : 0;
+    if (stream || (folder && strncmp(path, source->path, folder) != 0) || !strchr(path + folder, '%'))
+        return stream;
+    char *name = copied(path);
+    decode_percents(name + folder);
+    stream = import_files_open(name, len, wrong);
+    free(name);
+    return stream;
+}
+
 static struct aiFile *open_any(struct aiFileIO *io, const char *path, const char *mode)
 {
     (void)io;
@@ -257,7 +272,7 @@ static struct aiFile *open_any(struct aiFileIO *io, const char *path, const char
         opened->stream = fmemopen(source->bytes, source->len, "rb");
         opened->len = source->len;
     } else {
-        opened->stream = import_files_open(path, &opened->len, &wrong);
+        opened->stream = open_asked(path, &opened->len, &wrong);
         if (wrong == outside && !refused[0])
             snprintf(refused, sizeof refused, "%s", path);
     }

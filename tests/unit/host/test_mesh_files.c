@@ -172,7 +172,7 @@ static void standard_input_is_known_by_its_bytes_and_read_as_a_file_is(void **st
     write_binary_meshes();
     write_text("b.obj", "\n# a comment\nv 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
     const struct run *result =
-        run("for f in a.stl b.stl a.ply a.gltf a.glb b.obj; do "
+        run("tr '\\n' '\\r' <b.obj >c.obj; for f in a.stl b.stl a.ply a.gltf a.glb b.obj c.obj; do "
             "$GLINT render --mesh $f --turn 9,0,0 --color 9,99,199 --size 40x30 -o file.ppm && "
             "$GLINT render --mesh - --turn 9,0,0 --color 9,99,199 --size 40x30 -o input.ppm <$f && "
             "cmp file.ppm input.ppm || exit 1; "
@@ -552,6 +552,9 @@ static void a_gltf_names_files_in_its_folder_or_below_only(void **state)
     assert_quiet("$GLINT render --mesh in/a.gltf --allow-files . --size 9x9 -o a.ppm");
     assert_quiet(
         "cp a.bin in; sed -i 's|../a.bin|a.bin|' in/a.gltf; $GLINT render --mesh in/a.gltf --size 9x9 -o b.ppm");
+    assert_same_file("a.ppm", "b.ppm");
+    assert_quiet("mkdir in/b%20c; cp a.bin 'in/b%20c/a b.bin'; sed 's|a.bin|a%20b.bin|' in/a.gltf >in/b%20c/a.gltf; "
+                 "$GLINT render --mesh in/b%20c/a.gltf --size 9x9 -o b.ppm");
     assert_same_file("a.ppm", "b.ppm");
     assert_fails("$GLINT render --mesh - --size 9x9 -o no.ppm <in/a.gltf",
                  "standard input: libassimp cannot read this mesh");
