@@ -105,12 +105,13 @@ static bool has_line(const struct import_source *source, const char *word)
 {
     const char *at = source->bytes, *const end = at + source->len;
     const size_t len = strlen(word);
-    while (at) {
+    while (at < end) {
         while (at < end && isspace((unsigned char)*at))
             at++;
         if ((size_t)(end - at) > len && strncasecmp(at, word, len) == 0 && isspace((unsigned char)at[len]))
             return true;
-        at = memchr(at, '\n', (size_t)(end - at));
+        while (at < end && *at != '\n' && *at != '\r')
+            at++;
     }
     return false;
 }
