@@ -81,6 +81,7 @@ export const surfaces = Object.fromEntries([
     ['palette4', { type: 3, depth: 4, sample: (x, y) => bits(4)(hill(x, y)), extra: [['PLTE', palette]] }, ['--height']],
     ['palette8 with alpha', { type: 3, depth: 8, sample: (x, y) => bits(4)(hill(x, y)), extra: [['PLTE', palette], ['tRNS', [0, 128, 255, 0]]] }, ['--height']],
     ['a transparent grey', { type: 0, depth: 8, sample: (x, y) => bits(3)(hill(x, y)), extra: [['tRNS', [0, 5]]] }, ['--height', '--bevel=4']],
+    ['a transparent grey of 4 bits', { type: 0, depth: 4, sample: (x, y) => bits(3)(hill(x, y)), extra: [['tRNS', [255, 0xf5]]] }, ['--height', '--bevel=4']],
     ['a logo', { type: 6, depth: 8, sample: (x, y, k) => k === 3 ? bits(8)(disc(x, y)) : 30 * k }, ['--height', '--bevel=6']],
     ['rgb8', { type: 2, depth: 8, sample: (x, y, k) => bits(8)(normal(x, y, k)), filter: 2 }, ['--normals']],
     ['rgb16', { type: 2, depth: 16, sample: (x, y, k) => bits(16)(normal(x, y, k)), extra: [gamma] }, ['--normals']],

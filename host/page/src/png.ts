@@ -109,7 +109,7 @@ function widen(png: DecodedPng, isIndexed: boolean): Map16 {
     for (let i = 0; i < width * height; i++) {
         let hit = true
         for (let k = 0; k < from; k++) {
-            hit &&= values[from * i + k] === key[k]
+            hit &&= values[from * i + k] === (key[k] & 2 ** depth - 1) // its other bits tell nothing
             samples[channels * i + k] = scale * values[from * i + k]
         }
         samples[channels * i + from] = hit ? 0 : 65535
