@@ -126,7 +126,7 @@ static const char *ending_by_bytes(const struct import_source *source)
     const char *const ply_at = at + utf8_mark_len(at, len);
     if (end - ply_at >= 4 && memcmp(ply_at, "ply", 3) == 0 && isspace((unsigned char)ply_at[3]))
         return ply;
-    if (stl_binary_len(at, len) == len)
+    if (stl_binary_len(at, len)) /* no text: its count would be of more than may be sent */
         return stl;
     at += mark_len(source->name, at, len);
     while (at < end && isspace((unsigned char)*at))

@@ -172,7 +172,9 @@ static void standard_input_is_known_by_its_bytes_and_read_as_a_file_is(void **st
     write_binary_meshes();
     write_text("b.obj", "\n# a comment\nv 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
     const struct run *result =
-        run("tr '\\n' '\\r' <b.obj >c.obj; for f in a.stl b.stl a.ply a.gltf a.glb b.obj c.obj; do "
+        run("tr '\\n' '\\r' <b.obj >c.obj; { printf %-80s a; tail -c +81 b.stl; printf xyz; } >c.stl; for f in a.stl "
+            "b.stl c.stl a.ply a.gltf "
+            "a.glb b.obj c.obj; do "
             "$GLINT render --mesh $f --turn 9,0,0 --color 9,99,199 --size 40x30 -o file.ppm && "
             "$GLINT render --mesh - --turn 9,0,0 --color 9,99,199 --size 40x30 -o input.ppm <$f && "
             "cmp file.ppm input.ppm || exit 1; "
