@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  * The kernel's Documentation/ABI/testing/sysfs-bus-iio: in_accel_x_raw plus in_accel_offset (or in_accel_x_offset), where there is one,
- * times in_accel_scale (or in_accel_x_scale) is m/s^2; in_accel_mount_matrix or in_mount_matrix turns the sensor's axes into the device's:
- * right, up and towards the viewer. */
+ * times in_accel_scale (or in_accel_x_scale, or scale) is m/s^2; in_accel_mount_matrix, in_mount_matrix or mount_matrix turns the sensor's
+ * axes into the device's: right, up and towards the viewer. A name without "in" is of all channels of a driver's. */
 #include "stream/iio.h"
 
 #include <dirent.h>
@@ -137,7 +137,8 @@ static void read_scale(struct iio *iio)
 {
     const char *const names[] = {"in_accel_x_scale", "in_accel_y_scale", "in_accel_z_scale"};
     for (unsigned i = 0; i < 3; i++)
-        if (!read_either(iio, names[i], "in_accel_scale", &iio->scale[i]))
+        if (!read_either(iio, names[i], "in_accel_scale", &iio->scale[i]) &&
+            !read_value(iio->folder, "scale", &iio->scale[i], 1))
             fail("%s: has no in_accel_scale: what its numbers mean is not known", iio->folder);
 }
 
@@ -153,7 +154,8 @@ static void read_mount(struct iio *iio)
 {
     static const double upright[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     if (!read_value(iio->folder, "in_accel_mount_matrix", iio->mount, 9) &&
-        !read_value(iio->folder, "in_mount_matrix", iio->mount, 9))
+        !read_value(iio->folder, "in_mount_matrix", iio->mount, 9) &&
+        !read_value(iio->folder, "mount_matrix", iio->mount, 9))
         memcpy(iio->mount, upright, sizeof upright);
 }
 

@@ -65,6 +65,22 @@ static void scales_of_each_axis_and_mount_matrices_count(void **state)
     assert_light("iio:tree", -.6, 0, .5);
 }
 
+/* Those of ST and InvenSense (st_accel, st_lsm6dsx, inv_icm42600) have the matrix for all channels, Chromebooks (cros_ec_sensors) the scale: the
+ * kernel then leaves what names a channel out of the file's name. */
+static void what_a_driver_tells_of_all_its_channels_counts(void **state)
+{
+    (void)state;
+    make_tree();
+    assert_quiet("mv tree/iio:device2/in_accel_scale tree/iio:device2/scale");
+    assert_light("iio:tree", 0, 0, 1);
+    put("iio:device2/mount_matrix", "0, 0, 1; 1, 0, 0; 0, 1, 0\n");
+    put("iio:device2/in_accel_x_raw", "600\n");
+    put("iio:device2/in_accel_y_raw", "500\n");
+    assert_light("iio:tree", 1, .6, .5);
+    put("iio:device2/in_accel_scale", "0.004903325\n");
+    assert_light("iio:tree", .5, .3, .25);
+}
+
 /* A KXSD9 counts from 0; at rest its axes tell 2048. */
 static void an_offset_is_added_before_the_scale(void **state)
 {
@@ -160,6 +176,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_first_accelerometer_is_taken_or_the_one_that_is_named),
         cmocka_unit_test(scales_of_each_axis_and_mount_matrices_count),
+        cmocka_unit_test(what_a_driver_tells_of_all_its_channels_counts),
         cmocka_unit_test(an_offset_is_added_before_the_scale),
         cmocka_unit_test(the_light_goes_where_a_tilt_takes_it),
         cmocka_unit_test(a_stream_by_a_sensor_is_that_of_the_same_line_of_lights),
