@@ -33,12 +33,12 @@ static struct relight_extent find_extent(const uint32_t *words, struct panel_col
     return extent;
 }
 
-static void find_solid(struct relight_extent *extent, const uint8_t *coverage)
+static void find_solid(struct relight_extent *extent, const uint32_t *words, const uint8_t *coverage)
 {
     uint16_t run = 0;
     extent->solid_count = 0;
     for (uint16_t x = extent->first; x < extent->first + extent->count; x++) {
-        run = coverage[x] == 255 ? (uint16_t)(run + 1) : 0;
+        run = coverage[x] == 255 && is_surface(words[x]) ? (uint16_t)(run + 1) : 0;
         if (run > extent->solid_count) {
             extent->solid = (uint16_t)(x + 1 - run);
             extent->solid_count = run;
@@ -59,7 +59,7 @@ void relight_start(struct relight *relight)
         relight->extents[y] =
             find_extent(map_line(relight, y), panel_visible(relight->panel, y, 1), &relight->has_gaps);
         if (relight->coverage)
-            find_solid(&relight->extents[y], coverage_line(relight, y));
+            find_solid(&relight->extents[y], map_line(relight, y), coverage_line(relight, y));
     }
 }
 

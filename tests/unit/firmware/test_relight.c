@@ -189,6 +189,16 @@ static void two_cores_draw_what_one_does_whichever_is_first(void **state)
 }
 
 /* At the ends of a surface, within it, at every pixel, at none. */
+static void what_has_no_surface_is_the_background_whatever_its_coverage(void **state)
+{
+    (void)state;
+    has_coverage = true;
+    memset(coverage, 255, sizeof coverage);
+    start(false);
+    run_frames(1);
+    has_coverage = false;
+}
+
 static void soft_edges_are_drawn_over_the_background_with_either_paint_on_one_core_or_two(void **state)
 {
     (void)state;
@@ -422,6 +432,7 @@ int main(void)
         cmocka_unit_test(exact_frames_are_the_exact_rectangle_without_memory_for_tables),
         cmocka_unit_test(a_map_in_ram_is_read_where_it_is),
         cmocka_unit_test(two_cores_draw_what_one_does_whichever_is_first),
+        cmocka_unit_test(what_has_no_surface_is_the_background_whatever_its_coverage),
         cmocka_unit_test(soft_edges_are_drawn_over_the_background_with_either_paint_on_one_core_or_two),
         cmocka_unit_test(a_surface_all_over_with_a_soft_edge_is_drawn_over_the_background_anew_in_each_frame),
         cmocka_unit_test(a_line_is_not_overwritten_while_it_is_sent),
