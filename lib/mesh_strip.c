@@ -76,19 +76,21 @@ bool glint_mesh_fan_largest(const struct glint_mesh_frame *frame, const struct g
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
     const unsigned count = glint_mesh_edge_in(drawn, face) < 3 ? fan_clip(bench, frame, drawn, face) : 0;
     unsigned largest = 2;
-    int32_t most = 0, size = 0;
+    int32_t most = 0;
+    bool shows = false;
     for (unsigned i = 2; i < count; i++) {
         fan_set(bench, frame, drawn, i);
         const int32_t area = glint_mesh_area(&bench->vertex[0], &bench->vertex[1], &bench->vertex[2]);
-        if ((area < 0 ? -area : area) > size) {
-            size = area < 0 ? -area : area;
-            most = area;
+        const int32_t size = area < 0 ? -area : area;
+        if (size > most) {
+            most = size;
             largest = i;
+            shows = area < 0;
         }
     }
-    if (most < 0)
+    if (shows)
         fan_set(bench, frame, drawn, largest);
-    return most < 0;
+    return shows;
 }
 
 /* A face, clipped, as a fan. Alone, for the stack of what draws other faces. */

@@ -58,7 +58,6 @@ EXACT_RUNS = "tests/exact/test_bounds $(BUILD)" $(EXACT_TESTS) tests/exact/test_
 EXACT_ENV = EXACT_MODEL=
 endif
 
-# Several at a time, since some of them compile, and of the others not all use every core.
 run-exact: $(EXACT_TESTS)
 	@CC="$(CC)" HOST_LDFLAGS="$(HOST_LDFLAGS)" $(EXACT_ENV) tests/tally $(EXACT_RUNS)
 

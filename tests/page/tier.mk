@@ -20,7 +20,6 @@ $(PAGE_TEST_NPM)/done: tests/page/package.json tests/page/package-lock.json
 test-page: ## check: the page in Chromium and Firefox: pictures, files, messages, against the command
 	@+tests/tier page "$(SUBMAKE)"
 
-# Browsers wait for each other half the time: one more runs than there are processors.
 run-page: all $(PAGE)/index.html $(PAGE_CONFORMANCE) $(CONFORMANCE_EXPECTED)
 	@tests/tally $(foreach browser,firefox chromium,$(foreach test,controls screens files,"node tests/page/test_$(test).mjs $(PAGE_TEST_NPM) $(PAGE) $(abspath $(BUILD)/glint) $(browser)")) \
 		$(foreach browser,chromium firefox,"node tests/page/test_browser.mjs \

@@ -48,8 +48,8 @@ coverage-whole: setup-strength setup-exact setup-lab setup-pico build/ends.o ## 
 	@+$(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_FUZZ= all unit-programs lab-programs $(STRENGTH_EXACT:%=build/coverage/%)
 	@find build/coverage -name '*.gcda' -delete; rm -f build/coverage/errors.log
 	@$(PLUS)$(STRENGTH_ERRORS) EXACT_EVERY=100 GLINT_PIXELS=1 tests/tally $(STRENGTH_EXACT:%=build/coverage/%)
-	@+for goal in "TEST=test_ run-unit" run-lab "TEST=test_[ep][no][ds]* run-pico"; do \
-		$(STRENGTH_ERRORS) $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_JOBS=1 LAB_FUZZ= \
+	@+for goal in "TEST=test_ run-unit" "TALLY_JOBS=1 run-lab" "TALLY_JOBS=1 TEST=test_[ep][no][ds]* run-pico"; do \
+		$(STRENGTH_ERRORS) $(SUBMAKE) -s $(STRENGTH_COUNTED) LAB_FUZZ= \
 		$(STRENGTH_ENV) $$goal || \
 		echo "coverage: what failed in this build was counted as far as it went"; done
 	@tests/strength/covered build/coverage

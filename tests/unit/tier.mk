@@ -64,7 +64,7 @@ else
 		$(patsubst $(BUILD)/%,"env GLINT=$(UNIT_SANITIZED)/glint $(UNIT_SANITIZED)/%",$(UNIT_SANITIZABLE)) $(UNIT_PLAIN)
 endif
 
-# Without set-up and what takes long. Some wait for a terminal or a frame's time: one more runs than there are processors.
+# Without set-up and what takes long.
 check-unit:
 	@+if tests/missing "$(CC)" "" "" $(UNIT_CHECK) >/dev/null; then $(SUBMAKE) run-check-unit; \
 	else tests/tally "echo ok 1 - tier unit # SKIP cmocka is not installed: make setup-unit"; fi

@@ -188,7 +188,6 @@ static void two_cores_draw_what_one_does_whichever_is_first(void **state)
     hal_in_use = &hal;
 }
 
-/* At the ends of a surface, within it, at every pixel, at none. */
 static void what_has_no_surface_is_the_background_whatever_its_coverage(void **state)
 {
     (void)state;
@@ -199,6 +198,7 @@ static void what_has_no_surface_is_the_background_whatever_its_coverage(void **s
     has_coverage = false;
 }
 
+/* At the ends of a surface, within it, at every pixel, at none. */
 static void soft_edges_are_drawn_over_the_background_with_either_paint_on_one_core_or_two(void **state)
 {
     (void)state;
