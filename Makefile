@@ -255,8 +255,8 @@ TEST_PACKAGES = $(sort $(foreach list,$(TEST_LISTS),$($(list))))
 # The tiers compile much of the same: what one has compiled the next, and the next run, take from ccache.
 CACHE_PACKAGES = ccache
 TEST_CACHE = PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$${XDG_CACHE_HOME:-$$HOME/.cache}/glint/ccache" CCACHE_NOHASHDIR=1 CCACHE_MAXSIZE=2G
-# Three jobs a processor, as tests/tally has: where other work has the machine, tests have their share of it.
-TEST_SUBMAKE = $(MAKE) --no-print-directory $(call parallel,3)
+# Two jobs a processor, as tests/tally has: where other work has the machine, tests have their share of it.
+TEST_SUBMAKE = $(MAKE) --no-print-directory $(call parallel,2)
 test: ## check: set up what is missing and run every tier; the last line is the sum
 	@.ci/need "make test (it is slower without)" $(CACHE_PACKAGES) || true
 	@$(PLUS)$(SUBMAKE) setup-$(firstword $(TIERS)); \
