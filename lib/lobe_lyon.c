@@ -24,18 +24,21 @@ static inline __attribute__((always_inline)) uint32_t lyon_exactly(uint32_t p)
     return (uint32_t)(((fourth >> 47) + 1) >> 1);
 }
 
-/* y = F 2^32 is low by less than 2 of the square, which count twice, and 2: by less than 6. Inlined into its loop, too, it would be
- * there twice, or be split in two. */
+/* F 2^16 rounded, of p: y = F 2^32 is low by less than 2 of the square, which count twice, and 2: by less than 6. */
+static inline __attribute__((always_inline)) uint32_t lyon_rounded(uint32_t p)
+{
+    const uint32_t y = glint_squarehi_near(glint_squarehi_near(p));
+    return ((y + 32768) & 0xffff) > 65536 - 6 ? lyon_exactly(p) : ((y >> 15) + 1) >> 1;
+}
+
+/* Inlined into its loop, too, it would be there twice, or be split in two. */
 __attribute__((noinline)) __attribute__((flatten)) uint32_t glint_lyon_t(uint32_t n, uint32_t t)
 {
     if (t > GLINT_T_ONE)
         return 0;
     if (t == 0)
         return (uint32_t)GLINT_C_ONE; /* p = 2^32 */
-    const uint32_t p = lyon_base(glint_clamp_n(n), t), y = glint_squarehi_near(glint_squarehi_near(p));
-    if (((y + 32768) & 0xffff) > 65536 - 6)
-        return lyon_exactly(p);
-    return ((y >> 15) + 1) >> 1;
+    return lyon_rounded(lyon_base(glint_clamp_n(n), t));
 }
 
 uint32_t glint_lyon(uint32_t n, int32_t c_q16)
@@ -83,8 +86,7 @@ static uint32_t lyon_grain(uint32_t m, uint32_t t)
         return (uint32_t)GLINT_C_ONE;
     if (m >> 24)
         return 0;
-    const uint32_t p = 0 - (m << 8), y = glint_squarehi_near(glint_squarehi_near(p));
-    return ((y + 32768) & 0xffff) > 65536 - 6 ? lyon_exactly(p) : ((y >> 15) + 1) >> 1;
+    return lyon_rounded(0 - (m << 8));
 }
 
 static __attribute__((noinline)) bool lyon_grain_reaches(uint32_t m, uint32_t t, unsigned q)
