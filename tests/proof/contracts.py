@@ -17,7 +17,7 @@ class Contract:
 
     def __init__(self, name, limits, result=None, before=None, after=None, exact=None):
         self.name, self.limits, self.result = name, limits, result
-        self.before, self.after, self.exact = before or (lambda *_: []), after, exact
+        self.before, self.after, self.exact = before or (lambda *_: []), after or (lambda *_: []), exact
 
     def __call__(self, path, *arguments):
         for value, (low, high) in zip(arguments, self.limits):

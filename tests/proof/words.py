@@ -12,7 +12,7 @@ class Words:
 
     def __init__(self, decisions):
         self.facts, self.decisions, self.taken = Facts(), decisions, 0
-        self.quotients, self.origins, self.rests, self.definitions = {}, {}, {}, []
+        self.quotients, self.floors, self.origins, self.rests, self.definitions = {}, {}, {}, {}, []
 
     def choose(self, options):
         """One of several lists of facts, which between them leave nothing out; the others become paths of their own."""
@@ -143,6 +143,9 @@ class Words:
             zeros += 1
         if zeros:
             return self.rest(Poly({m: c >> zeros for m, c in p.terms.items()}), bits - zeros) * (1 << zeros)
+        for atom, rest in self.definitions:
+            if p.terms == {(atom,): 1}:  # the rest of a rest
+                return self.rest(Poly({m: c for m, c in rest.terms.items() if c % (1 << bits)}), bits)
         q = self.shifted(p, bits)
         rest = p - q * (1 << bits)
         low, high = self.facts.interval(rest)
@@ -266,6 +269,9 @@ class Words:
             return self.joined(self.word(a, width), self.word(b, width))
         if op in ("udiv", "sdiv"):
             return self.quotient(*(self.word(v, width, op == "sdiv") for v in (a, b)))
+        if op == "urem":
+            a, b = self.word(a, width), self.word(b, width)
+            return a - self.quotient(a, b) * b
         if op not in ("add", "sub", "mul", "shl"):
             raise Broken(f"the operation {op}")
         for flag, signed in (("nuw", False), ("nsw", True)):
@@ -302,10 +308,13 @@ class Words:
         return -self.floor(-a, b)
 
     def floor(self, a, b):
-        q = self.facts.atom("quotient", 0, self.facts.interval(a)[1])
-        self.facts.add(a - q * b)
-        self.facts.add(q * b + b - 1 - a)
-        return q
+        """As quotient, of an a of at least 0; the same one for the same numbers."""
+        key = a.key(), b.key()
+        if key not in self.floors:
+            q = self.floors[key] = self.facts.atom("quotient", 0, self.facts.interval(a)[1] // max(self.facts.interval(b)[0], 1))
+            self.facts.add(a - q * b)
+            self.facts.add(q * b + b - 1 - a)
+        return self.floors[key]
 
     def call_fshl(self, width, a, b, by):
         return self.joined(self.word(a * (1 << by.constant()), width), self.shifted(b, width - by.constant()))
