@@ -116,8 +116,9 @@ static inline unsigned glint_mesh_edge_in(const struct glint_mesh_drawn *drawn, 
     return a + b + c > 1 ? 3 : a ? 1 : b ? 2 : 0;
 }
 
-/* Where there is such an edge: clips the face. Does its fan's largest triangle show? Then that is on the bench as the one at hand. */
-bool glint_mesh_fan_largest(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face);
+/* Where there is such an edge: clips the face. Does its fan's largest triangle show? Then that beside the edge is on the bench as the one at
+ * hand; the largest where rounding has turned that one over. */
+bool glint_mesh_fan_shows(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face);
 
 /* Sorts the faces that show from line y on into the bands where they begin, or where y is; each list ascends. */
 void glint_mesh_sort(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, int32_t y);

@@ -498,7 +498,7 @@ static __attribute__((noinline)) void cells_draw(struct glint_mesh_cells *cells,
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)strip->frame->memory;
     bench->face.face = rim->face;
     if (strip->drawn->edges[rim->face] & GLINT_EDGES_CLIPPED)
-        (void)glint_mesh_fan_largest(strip->frame, strip->drawn, rim->face);
+        (void)glint_mesh_fan_shows(strip->frame, strip->drawn, rim->face);
     glint_mesh_blend_cells(cells->paint, cells, cells_found, &cells->blending, &bench->face.triangle, strip);
 }
 

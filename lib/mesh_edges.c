@@ -57,7 +57,7 @@ static void edges_fronts(const struct glint_mesh_frame *frame, const struct glin
 static void edges_clipped(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn)
 {
     for (unsigned i = 0; i < drawn->mesh->face_count; i++)
-        if (drawn->edges[i] & GLINT_EDGES_CLIPPED && glint_mesh_fan_largest(frame, drawn, i))
+        if (drawn->edges[i] & GLINT_EDGES_CLIPPED && glint_mesh_fan_shows(frame, drawn, i))
             drawn->edges[i] |= GLINT_EDGES_FRONT;
 }
 

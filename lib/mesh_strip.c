@@ -70,26 +70,31 @@ static unsigned fan_clip(struct glint_mesh_bench *bench, const struct glint_mesh
     return glint_mesh_clip(&bench->polygon, frame, drawn, drawn->mesh->faces + 3 * (size_t)face);
 }
 
-/* Of the others rounding may turn one over: of a corner at the near plane it makes 8 of each 1/16 pixel. */
-bool glint_mesh_fan_largest(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face)
+/* Of the others rounding may turn one over: of a corner at the near plane it makes 8 of each 1/16 pixel. Corners that are in stay side by
+ * side: 0 is the polygon's first, 1 its second one, 2 the last. */
+bool glint_mesh_fan_shows(const struct glint_mesh_frame *frame, const struct glint_mesh_drawn *drawn, unsigned face)
 {
     struct glint_mesh_bench *bench = (struct glint_mesh_bench *)frame->memory;
-    const unsigned count = glint_mesh_edge_in(drawn, face) < 3 ? fan_clip(bench, frame, drawn, face) : 0;
-    unsigned largest = 2;
+    const unsigned edge = glint_mesh_edge_in(drawn, face);
+    const unsigned count = edge < 3 ? fan_clip(bench, frame, drawn, face) : 0;
+    const unsigned beside = edge == 2 ? count - 1 : 2;
+    unsigned at_hand = 2;
     int32_t most = 0;
-    bool shows = false;
+    bool shows = false, beside_shows = false;
     for (unsigned i = 2; i < count; i++) {
         fan_set(bench, frame, drawn, i);
         const int32_t area = glint_mesh_area(&bench->vertex[0], &bench->vertex[1], &bench->vertex[2]);
         const int32_t size = area < 0 ? -area : area;
         if (size > most) {
             most = size;
-            largest = i;
             shows = area < 0;
+            at_hand = i;
         }
+        if (i == beside)
+            beside_shows = area < 0;
     }
     if (shows)
-        fan_set(bench, frame, drawn, largest);
+        fan_set(bench, frame, drawn, beside_shows ? beside : at_hand);
     return shows;
 }
 

@@ -435,6 +435,56 @@ static void colours_at_an_outline_are_those_of_its_plane(void **state)
     }
 }
 
+/* A face that goes on behind the viewer: its colours change otherwise by each triangle of its fan. */
+static void colours_at_an_outline_of_a_clipped_face_are_those_that_it_has_there(void **state)
+{
+    (void)state;
+    const struct look look = bare(GLINT_RGB888);
+    struct glint_paint paint;
+    struct made_mesh *const m = &meshes[0];
+    const struct mesh_shown shown = {m, &paint};
+    unsigned count = 0;
+    double most = 0;
+    paint_of(&paint, &look);
+    for (int round = 0; round < 300; round++) { /* of the last ones a corner lies about the near plane */
+        const int16_t z = (int16_t)(round < 96 ? 2600 * (round / 3 % 11) : 23900 + round);
+        const int16_t places[3][3] = {{-30000, (int16_t)(1000 * (round % 12) - 9000), z},
+                                      {30000, (int16_t)(9000 - 800 * (round % 7)), (int16_t)(2600 * (round / 7 % 11))},
+                                      {(int16_t)(3000 * (round % 5)), -30000, 32767}};
+        static const uint8_t colours[3][3] = {{40, 200, 0}, {200, 60, 0}, {230, 230, 0}};
+        mesh_made(m, 3, 1);
+        for (unsigned k = 0; k < 3; k++) {
+            const unsigned v = (k + (unsigned)round) % 3;
+            memcpy(m->places[v], places[k], sizeof places[k]);
+            memcpy(m->colours[v], colours[k], sizeof colours[k]);
+            m->faces[0][(2 - k + (unsigned)round) % 3] = (uint16_t)v;
+            m->normals[k][2] = 32767;
+        }
+        m->mesh.of_vertices = &m->colours[0][0];
+        m->pose.scale = 16 * 50;
+        m->distance = 16 * 42;
+        for (int i = 0; i < 3; i++) { /* over black and white, with outlines; without */
+            memset(pictures[i], i == 1 ? 255 : 0, sizeof pictures[i]);
+            if (i < 2)
+                mesh_join(m);
+            else
+                m->mesh.neighbours = NULL;
+            meshes_picture(&shown, 1, &in_strips, pictures[i], 3 * MESH_W);
+        }
+        for (int i = 0; i < MESH_W * MESH_H; i++) {
+            const uint8_t *black = pictures[0] + 3 * i, *white = pictures[1] + 3 * i, *plain = pictures[2] + 3 * i;
+            const double part = (255. + black[2] - white[2]) / 255; /* blue is 0 */
+            if (part < .5 || part > .99 || !plain[0])
+                continue;
+            for (int k = 0; k < 2; k++)
+                most = fmax(most, fabs(black[k] / part - plain[k]) * part);
+            count++;
+        }
+    }
+    print_message("%u pixels of outlines: off by up to %.2f levels\n", count, most);
+    assert_true(count > 300 && most < 1.6);
+}
+
 /* Under points, spots and several lights, and by Phong's model: a pixel of a rectangle in part, of this normal, where the square lies: at
  * z = 0. */
 static void a_lit_outline_is_a_pixel_of_a_rectangle_in_part(void **state)
@@ -493,6 +543,7 @@ int main(void)
         cmocka_unit_test(pixels_that_no_outline_cuts_are_those_without_outlines),
         cmocka_unit_test(outlines_in_one_colour_are_those_of_that_albedo),
         cmocka_unit_test(colours_at_an_outline_are_those_of_its_plane),
+        cmocka_unit_test(colours_at_an_outline_of_a_clipped_face_are_those_that_it_has_there),
         cmocka_unit_test(a_lit_outline_is_a_pixel_of_a_rectangle_in_part),
     };
     return cmocka_run_group_tests_name("mesh outlined", tests, NULL, NULL);
