@@ -128,7 +128,8 @@ struct glint_use_outlines; /* const */
 extern const struct glint_use_outlines glint_outlines;
 
 /* Begins a picture of w x h pixels in strips of at most `lines` lines. distance: of the camera from z = 0, 1/16 pixel; 0: parallel
- * projection. Memory: glint_mesh_frame_bytes, aligned to 4 (to a pointer with GLINT_MESH_LIGHTS_BYTES), until the picture is drawn.
+ * projection, where what lies more than 2047 pixels before or behind z = 0 counts as at 2047: of two such surfaces the one drawn first is seen.
+ * Memory: glint_mesh_frame_bytes, aligned to 4 (to a pointer with GLINT_MESH_LIGHTS_BYTES), until the picture is drawn.
  * GLINT_MESH_KEPT_BYTES more for each triangle that goes on from one strip to the next spare setting it up again: with room for 18 the
  * teapot takes 8 % more cycles than with room for 50. GLINT_MESH_LIGHTS_BYTES more let points, spots and several lights light meshes, and
  * meshes have Phong's model and grain. GLINT_ERR_ARG: NULL, a size of 0 or beyond GLINT_MESH_SIZE_MAX, too few bytes, misaligned. */

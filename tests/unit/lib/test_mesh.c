@@ -158,11 +158,17 @@ static void a_row_is_the_span_of_its_normals_by_every_paint(void **state)
     }
 }
 
+/* Beyond 2047 pixels from z = 0 all are equally near. */
 static void the_nearer_hides_the_farther_and_the_first_of_two_stays(void **state)
 {
     (void)state;
     static uint16_t out[MESH_H * MESH_W];
-    static const int16_t depths[4][2] = {{0, 100}, {100, 0}, {50, 50}, {-20000, 20000}};
+    static const struct {
+        int16_t depths[2], position;
+        bool first_is_seen;
+    } cases[] = {{{0, 100}, 0, false},          {{100, 0}, 0, true},       {{50, 50}, 0, true},
+                 {{-20000, 20000}, 0, false},   {{0, 20000}, 32767, true}, {{-20000, -100}, -32767, true},
+                 {{-20000, 100}, -32767, false}};
     struct glint_paint paints[2];
     struct look look = random_look(GLINT_RGB565, GLINT_GAMMA);
     set_model(&look, GLINT_MSH, 10, 6);
@@ -176,22 +182,22 @@ static void the_nearer_hides_the_farther_and_the_first_of_two_stays(void **state
         }
         paint_of(&paints[i], &look);
     }
-    for (int i = 0; i < 4; i++) {
+    for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++) {
         mesh_made(&mesh, 6, 2);
+        mesh.pose.position[2] = cases[i].position;
         mesh.mesh.ends = ends;
         mesh.mesh.part_count = 2;
         for (int v = 0; v < 6; v++) {
             mesh.places[v][0] = (int16_t)(v % 3 == 1 ? 30000 : -30000);
             mesh.places[v][1] = (int16_t)(v % 3 == 2 ? 30000 : -30000);
-            mesh.places[v][2] = depths[i][v / 3];
+            mesh.places[v][2] = cases[i].depths[v / 3];
             mesh.normals[v][2] = 32767;
             mesh.normals[v][0] = mesh.normals[v][1] = 0;
             mesh.faces[v / 3][v % 3] = (uint16_t)v;
         }
-        const bool first_is_nearer = depths[i][0] >= depths[i][1];
         memset(out, GUARD, sizeof out);
         mesh_picture(&mesh, paints, (uint8_t *)out, 2, i & 1 ? bands : odd, i & 1 ? 1 : 5, i & 2);
-        assert_int_equal(out[MESH_W * (MESH_H / 2 + 10) + MESH_W / 2 - 10], first_is_nearer ? 0 : 0xffff);
+        assert_int_equal(out[MESH_W * (MESH_H / 2 + 10) + MESH_W / 2 - 10], cases[i].first_is_seen ? 0 : 0xffff);
     }
 }
 
