@@ -23,6 +23,7 @@
 #include "base/child.h"
 #include "mesh/import_texture.h"
 #include "mesh/ply_check.h"
+#include "mesh/polygon.h"
 #include "mesh/stl_check.h"
 
 /* Loaded here only: commands that read no mesh start without it. */
@@ -204,6 +205,61 @@ static void send_faces(int out, const struct aiMesh *mesh, const struct import_h
     }
 }
 
+/* Faces of more corners become triangles, which are never freed; libassimp's own leave what has dents in part, and cover what is beside it. */
+static bool cut_face(const struct aiMesh *mesh, const struct aiFace *from, struct aiFace *to)
+{
+    const size_t count = from->mNumIndices;
+    double(*places)[3] = allocate(count, sizeof *places);
+    size_t(*triangles)[3] = allocate(count - 2, sizeof *triangles);
+    unsigned *corners = allocate(count - 2, 3 * sizeof *corners);
+    for (size_t i = 0; i < count; i++) {
+        const struct aiVector3D *place = &mesh->mVertices[from->mIndices[i]];
+        places[i][0] = (double)place->x;
+        places[i][1] = (double)place->y;
+        places[i][2] = (double)place->z;
+    }
+    const bool is_cut = polygon_cut((const double(*)[3])places, count, triangles);
+    for (size_t i = 0; is_cut && i < count - 2; i++) {
+        to[i] = (struct aiFace){3, corners + 3 * i};
+        for (int k = 0; k < 3; k++)
+            corners[3 * i + (size_t)k] = from->mIndices[triangles[i][k]];
+    }
+    free(places);
+    free(triangles);
+    return is_cut;
+}
+
+static bool cut_faces(struct aiMesh *mesh)
+{
+    size_t count = 0, most = 0, sum = 0;
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const size_t corners = mesh->mFaces[i].mNumIndices;
+        most = corners > most ? corners : most;
+        sum += corners > 2 ? corners - 2 : 0;
+    }
+    if (most <= 3)
+        return true;
+    struct aiFace *faces = allocate(sum, sizeof *faces);
+    for (unsigned i = 0; i < mesh->mNumFaces; i++) {
+        const size_t corners = mesh->mFaces[i].mNumIndices;
+        if (corners > 2 && !cut_face(mesh, &mesh->mFaces[i], faces + count))
+            return false;
+        count += corners > 2 ? corners - 2 : 0;
+    }
+    mesh->mFaces = faces;
+    mesh->mNumFaces = (unsigned)sum;
+    return true;
+}
+
+/* Returns what is wrong, or NULL. */
+static const char *cut_scene(const struct aiScene *scene)
+{
+    for (unsigned i = 0; i < scene->mNumMeshes; i++)
+        if (!cut_faces(scene->mMeshes[i]))
+            return "a face has too many corners and dents; cut it into triangles";
+    return NULL;
+}
+
 /* What libassimp makes of an STL's colours of facets is not what is in the file. */
 static void add_scene(struct import_head *head, const struct aiScene *scene, bool is_stl)
 {
@@ -211,7 +267,7 @@ static void add_scene(struct import_head *head, const struct aiScene *scene, boo
         const struct aiMesh *mesh = scene->mMeshes[i];
         const uint64_t before = head->face_count;
         for (unsigned k = 0; k < mesh->mNumFaces; k++)
-            head->face_count += mesh->mFaces[k].mNumIndices == 3;
+            head->face_count += mesh->mFaces[k].mNumIndices > 2 ? mesh->mFaces[k].mNumIndices - 2 : 0;
         if (head->face_count == before)
             continue; /* points and lines */
         head->has_normals |= mesh->mNormals != NULL;
@@ -366,7 +422,7 @@ static const struct aiScene *import_scene(const struct import_source *source, co
 static unsigned read_scenes(const struct import_source *of, bool is_gltf, const struct aiScene *scenes[2],
                             uint64_t *triangles, const char **wrong)
 {
-    const unsigned steps = aiProcess_Triangulate | aiProcess_PreTransformVertices;
+    const unsigned steps = aiProcess_PreTransformVertices;
     static struct import_source source; /* libassimp's files are read from it later, too */
     unsigned count = 0;
     source = *of;
@@ -434,6 +490,12 @@ void import_child(const struct import_source *source, int out)
         add_scene(&head, scenes[i], strcmp(source->ending, ".stl") == 0);
     if (linear && head.face_count != triangles) { /* libassimp leaves out those of a glTF */
         send_message(out, no_such_vertex);
+        return;
+    }
+    for (unsigned i = 0; i < count && !wrong && head.face_count <= GLINT_MESH_FACES_MAX; i++)
+        wrong = cut_scene(scenes[i]);
+    if (wrong) {
+        send_message(out, wrong);
         return;
     }
     struct mesh_material *materials = allocate(scene->mNumMaterials, sizeof *materials);

@@ -192,6 +192,19 @@ static void a_ply_is_read_whatever_it_holds_before_places_and_faces(void **state
         "a.ply", "tr '\\n' '\\r' <made.bin.head >made.ply && { printf '\\n'; tail -c 93 little.bin.ply; } >>made.ply");
 }
 
+/* A comb, of whose teeth libassimp's triangles cover too much. */
+static void a_face_with_dents_is_drawn_alike_whatever_the_format(void **state)
+{
+    (void)state;
+    assert_quiet("xy='0 0,8 0,7 1,6 1,5 7,4 1,3 8,2 1,1 1' && echo $xy | tr , '\\n' | sed 's/$/ 0/' >places && "
+                 "{ sed 's/^/v /' places; echo f 1 2 3 4 5 6 7 8 9; } >comb.obj && "
+                 "{ printf '" PLY_VERTICES PLY_FACES
+                 "' | sed 's/vertex 4/vertex 9/; s/face 2/face 1/' && cat places && "
+                 "echo 9 0 1 2 3 4 5 6 7 8; } >comb.ply && for i in obj ply; do $GLINT render --mesh comb.$i --color "
+                 "200,200,200 "
+                 "--size 64x64 -o $i.ppm || exit 1; done; cmp obj.ppm ply.ppm");
+}
+
 static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **state)
 {
     (void)state;
@@ -599,6 +612,7 @@ int main(void)
         cmocka_unit_test(a_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_ply_is_read_whatever_it_holds_before_places_and_faces),
+        cmocka_unit_test(a_face_with_dents_is_drawn_alike_whatever_the_format),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_binary_stl_may_have_bytes_behind_its_facets),
