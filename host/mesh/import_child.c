@@ -319,6 +319,8 @@ static void set_look(const struct aiMaterial *from, struct import_pictures *pict
         material->look_picture = import_pictures_find(pictures, name.data) + 1;
 }
 
+static bool has_corner_uv; /* of a PLY, left out */
+
 /* libassimp believes what a file says of its own length, and misreads what of a glTF it does not know. It reads these bytes from now on. */
 static const char *check_file(struct import_source *source, bool is_gltf, uint64_t *triangles)
 {
@@ -335,7 +337,7 @@ static const char *check_file(struct import_source *source, bool is_gltf, uint64
     if (is_gltf)
         return gltf_check(source->bytes, source->len, triangles);
     if (is_ply) {
-        wrong = ply_check(source->bytes, &source->len);
+        wrong = ply_check(source->bytes, &source->len, &has_corner_uv);
         source->bytes[source->len++] = '\n'; /* without, libassimp takes what an earlier line had there */
         return wrong;
     }
@@ -513,6 +515,9 @@ void import_child(const struct import_source *source, int out)
     head.file_count = import_files_read(&files);
     if (import_files_refused())
         snprintf(head.refused, sizeof head.refused, "%.*s", (int)sizeof head.refused - 1, import_files_refused());
+    if (has_corner_uv && source->textures)
+        snprintf(head.notes, sizeof head.notes,
+                 "texcoord, where each face's corners lie in a texture, is left out; export it as OBJ or glTF\n");
     head.picture_count = pictures.count;
     child_send(out, &head, sizeof head);
     child_send(out, files, head.file_count * sizeof *files);

@@ -31,6 +31,7 @@ struct body {
     bool is_text;
     bool is_cr;     /* lines of the header end in this alone */
     bool is_broken; /* a number that should be whole is not */
+    bool has_corner_uv;
 };
 
 static const char ends[] = "it ends before all that its header promises; export or fetch it again",
@@ -160,15 +161,16 @@ static bool take_element(struct element *element, const char *line)
     return take_number(count, &element->count);
 }
 
-/* libassimp makes black of an alpha without colours. Alpha is not drawn. */
-static void leave_alpha_out(char *from, const char *end)
+/* The property of a line becomes one that libassimp does not know, if it has this name. */
+static bool leave_out(char *from, const char *end, const char *name)
 {
-    static const char name[] = "alpha";
-    const size_t len = sizeof name - 1;
+    const size_t len = strlen(name);
     while (end > from && is_blank(end[-1]))
         end--;
-    if ((size_t)(end - from) > len && memcmp(end - len, name, len) == 0 && is_blank(end[-1 - (ptrdiff_t)len]))
-        memset(from + (end - from) - len, 'x', len);
+    if ((size_t)(end - from) <= len || memcmp(end - len, name, len) != 0 || !is_blank(end[-1 - (ptrdiff_t)len]))
+        return false;
+    memset(from + (end - from) - len, 'x', len);
+    return true;
 }
 
 static bool begins(const char *line, const char *word)
@@ -218,8 +220,10 @@ static const char *read_header(struct body *body, struct element elements[ELEMEN
             return too_many;
         if (is_property && is_torn)
             return torn;
-        if (is_property)
-            leave_alpha_out(from, body->at);
+        if (is_property) {
+            leave_out(from, body->at, "alpha"); /* libassimp makes black of one without colours; alpha is not drawn */
+            body->has_corner_uv |= leave_out(from, body->at, "texcoord");
+        }
         is_torn = is_torn && !is_element;
         if (is_element    ? !take_element(&elements[(*count)++], line)
             : is_property ? !take_property(&elements[*count - 1], line)
@@ -391,13 +395,14 @@ static void leave_mark_out(char *text, size_t *len)
     memmove(text, text + LEN, *len);
 }
 
-const char *ply_check(char *text, size_t *len)
+const char *ply_check(char *text, size_t *len, bool *has_corner_uv)
 {
     leave_mark_out(text, len);
     struct body body = {.at = text, .end = text + *len, .is_cr = *len > 4 && text[3] == '\r' && text[4] != '\n'};
     struct element elements[ELEMENTS_MAX];
     unsigned count;
     const char *wrong = read_header(&body, elements, &count);
+    *has_corner_uv = body.has_corner_uv;
     if (!wrong && body.is_text)
         skip_blanks(&body);
     char *const data = body.at;

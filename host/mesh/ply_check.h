@@ -4,10 +4,12 @@
 #ifndef GLINT_MESH_PLY_CHECK_H
 #define GLINT_MESH_PLY_CHECK_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What is wrong, as the end of a message; NULL: nothing that is seen here, and in the text comments are blanks, among which libassimp loses properties,
- * and elements that it does not know are gone; *len is how long it is then. */
-const char *ply_check(char *text, size_t *len);
+ * and elements that it does not know are gone; *len is how long it is then. So are places in a picture that each face has for its own corners, of which
+ * libassimp takes one a vertex: *has_corner_uv. */
+const char *ply_check(char *text, size_t *len, bool *has_corner_uv);
 
 #endif

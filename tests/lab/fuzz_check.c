@@ -26,10 +26,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     struct input input = {data, data + size};
     size_t len = size;
+    bool has_corner_uv;
     uint64_t triangles = UINT64_MAX;
     char *file = (char *)next_bytes(&input, &len);
     const bool is_stl = begins(file, len, "solid") || begins(file, len, " ") || stl_binary_len(file, len);
-    const char *wrong = begins(file, len, "ply") ? ply_check(file, &len)
+    const char *wrong = begins(file, len, "ply") ? ply_check(file, &len, &has_corner_uv)
                         : is_stl                 ? check_stl(file, len)
                                                  : gltf_check(file, len, &triangles);
     free(file);

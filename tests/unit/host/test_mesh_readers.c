@@ -205,6 +205,19 @@ static void a_face_with_dents_is_drawn_alike_whatever_the_format(void **state)
                  "--size 64x64 -o $i.ppm || exit 1; done; cmp obj.ppm ply.ppm");
 }
 
+/* As MeshLab writes them; libassimp gives a vertex the place that its last face has there. */
+static void places_in_a_texture_that_faces_of_a_ply_have_of_their_own_are_left_out_with_a_line(void **state)
+{
+    (void)state;
+    assert_quiet(
+        "printf '" PLY_VERTICES PLY_FACES "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n' >bare.ply && "
+        "sed 's/^format.*/&\\ncomment TextureFile none.png/; s/^end_header/property list uchar float "
+        "texcoord\\n&/; s/^3 .*/& 6 0 0 .5 0 0 .5/' bare.ply >corners.ply && "
+        "for i in bare corners; do $GLINT render --mesh $i.ply --size 64x64 -o $i.ppm 2>$i || exit 1; done; "
+        "cmp bare.ppm corners.ppm && ! grep . bare && grep -q 'corners.ply: texcoord, .* is left out' corners");
+    assert_quiet("$GLINT render --mesh corners.ply --no-textures --size 64x64 -o corners.ppm");
+}
+
 static void a_ply_that_libassimp_would_read_as_another_shape_is_refused(void **state)
 {
     (void)state;
@@ -613,6 +626,7 @@ int main(void)
         cmocka_unit_test(a_binary_ply_is_read_whatever_it_holds_beside_places_and_faces),
         cmocka_unit_test(a_ply_is_read_whatever_it_holds_before_places_and_faces),
         cmocka_unit_test(a_face_with_dents_is_drawn_alike_whatever_the_format),
+        cmocka_unit_test(places_in_a_texture_that_faces_of_a_ply_have_of_their_own_are_left_out_with_a_line),
         cmocka_unit_test(a_ply_that_libassimp_would_read_as_another_shape_is_refused),
         cmocka_unit_test(a_text_stl_without_its_end_is_refused_wherever_it_is_cut),
         cmocka_unit_test(a_binary_stl_may_have_bytes_behind_its_facets),
