@@ -25,6 +25,7 @@ static const char damaged[] = "it is damaged; export it again",
                   old[] = "it is a glTF 1; export it as glTF 2.0",
                   doubled[] = "its indices are packed by Draco and plain; export it without Draco",
                   elsewhere[] = "a GLB's first buffer is in itself, and this one's is elsewhere; export it again",
+                  moved[] = "a texture's transform names other coordinates than the texture; export it with the same",
                   skinned[] = "it has a skeleton; export it without",
                   morphed[] = "its morph targets have weights; apply them before you export it";
 
@@ -280,6 +281,23 @@ static const char *check_buffers(const json_t *root)
     return NULL;
 }
 
+/* libassimp does not look which coordinates a transform names. */
+static const char *check_transforms(const json_t *root)
+{
+    const json_t *materials = json_object_get(root, "materials");
+    for (size_t i = 0; i < json_array_size(materials); i++) {
+        const json_t *look = json_object_get(json_array_get(materials, i), "pbrMetallicRoughness");
+        const json_t *texture = json_object_get(look, "baseColorTexture");
+        const json_t *transform = json_object_get(json_object_get(texture, "extensions"), "KHR_texture_transform");
+        uint64_t plain, named;
+        if (!take(texture, "texCoord", 0, &plain) || !take(transform, "texCoord", plain, &named))
+            return damaged;
+        if (named != plain)
+            return moved;
+    }
+    return NULL;
+}
+
 static const char *check_root(const json_t *root, uint64_t *triangles)
 {
     const char *version = json_string_value(json_object_get(json_object_get(root, "asset"), "version"));
@@ -290,6 +308,8 @@ static const char *check_root(const json_t *root, uint64_t *triangles)
     const char *wrong = check_required(root);
     if (!wrong)
         wrong = check_buffers(root);
+    if (!wrong)
+        wrong = check_transforms(root);
     const size_t meshes = json_array_size(json_object_get(root, "meshes"));
     const size_t nodes = json_array_size(json_object_get(root, "nodes"));
     struct gltf gltf = {root, malloc((meshes + nodes + 1) * sizeof *gltf.of_meshes), NULL};

@@ -150,6 +150,19 @@ static void what_a_gltf_requires_and_glint_does_not_carry_out_is_refused(void **
     assert_drawn_alike("s/{/&\"extensionsUsed\":[\"EXT_meshopt_compression\"],/", "");
 }
 
+#define MATERIAL(coordinates, of_transform)                                                                            \
+    "s/{/&\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0,\"texCoord\":" coordinates       \
+    ",\"extensions\":{\"KHR_texture_transform\":{\"texCoord\":" of_transform "}}}}}],/"
+
+static void a_transform_that_names_other_coordinates_than_its_texture_is_refused(void **state)
+{
+    (void)state;
+    assert_edited_fails(MATERIAL("0", "1"), "a texture's transform names other coordinates");
+    assert_edited_fails(MATERIAL("1", "0"), "a texture's transform names other coordinates");
+    assert_edited_fails(MATERIAL("0", "-1"), "it is damaged");
+    assert_drawn_alike(MATERIAL("1", "1"), "");
+}
+
 static void skeletons_and_morph_targets_with_weights_are_refused(void **state)
 {
     (void)state;
@@ -326,6 +339,7 @@ int main(void)
         cmocka_unit_test(what_is_not_what_a_gltf_has_there_is_refused),
         cmocka_unit_test(a_triangle_with_a_corner_that_the_file_does_not_have_is_refused),
         cmocka_unit_test(what_a_gltf_requires_and_glint_does_not_carry_out_is_refused),
+        cmocka_unit_test(a_transform_that_names_other_coordinates_than_its_texture_is_refused),
         cmocka_unit_test(skeletons_and_morph_targets_with_weights_are_refused),
         cmocka_unit_test(mirrored_parts_show_their_outer_side),
         cmocka_unit_test(parts_that_are_scaled_to_0_are_hidden),
