@@ -113,6 +113,25 @@ static void say_notes(const char *name, char *notes, size_t size)
     }
 }
 
+/* libassimp's places are floats: so far away they have fewer than 4096 steps over the mesh. */
+static void say_if_coarse(const struct soup *soup)
+{
+    enum { SIZES = 2048 };
+    double far = 0, size = 0;
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+        for (size_t i = 0; i < 3 * soup->face_count; i++) {
+            low = fmin(low, soup->faces[i / 3].places[i % 3][k]);
+            high = fmax(high, soup->faces[i / 3].places[i % 3][k]);
+        }
+        far = fmax(far, fmax(fabs(low), fabs(high)));
+        size = fmax(size, high - low);
+    }
+    if (far > SIZES * size)
+        warn("%s: lies so far from its origin that its places are rounded; move it there, or export it as OBJ",
+             soup->name);
+}
+
 static struct soup *receive_soup(struct reader *reader)
 {
     struct import_head head;
@@ -150,6 +169,8 @@ static struct soup *receive_soup(struct reader *reader)
     receive_pictures(reader, soup);
     receive(reader, soup->faces, soup->face_count * sizeof *soup->faces);
     soup_check_faces(soup);
+    if (strcmp(reader->source->ending, ".obj") != 0)
+        say_if_coarse(soup);
     return soup;
 }
 

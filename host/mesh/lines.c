@@ -2,6 +2,7 @@
 #include "mesh/lines.h"
 
 #include <ctype.h>
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -87,7 +88,7 @@ bool lines_begins(const struct lines *lines, const char *word, char **rest)
     return true;
 }
 
-bool lines_number(const char *word, float *out)
+bool lines_number(const char *word, double *out)
 {
     const char *at = word + (*word == '-' || *word == '+');
     const size_t before = strspn(at, "0123456789"), point = at[before] == '.';
@@ -107,6 +108,8 @@ bool lines_number(const char *word, float *out)
     }
     if (*end || before + behind == 0)
         return false;
-    *out = strtof(word, NULL);
+    *out = strtod(word, NULL);
+    if (fabs(*out) > (double)FLT_MAX)
+        *out = copysign(INFINITY, *out);
     return true;
 }

@@ -21,7 +21,8 @@ bool lines_next(struct lines *lines);
 char *lines_word(char **at);
 /* Does the line begin with this word, in any case? Then *rest is what follows. */
 bool lines_begins(const struct lines *lines, const char *word, char **rest);
-/* Decimal digits with a point, if there is one, before, between or behind them, then an exponent, as the nearest float; "nan" and "inf" are NaN. */
-bool lines_number(const char *word, float *out);
+/* Decimal digits with a point, if there is one, before, between or behind them, then an exponent, as the nearest double, or one without end where a
+ * float has none; "nan" and "inf" are NaN. */
+bool lines_number(const char *word, double *out);
 
 #endif

@@ -21,7 +21,8 @@ struct list {
     size_t count, room;
 };
 struct numbers {
-    float at[3], color[3];
+    double at[3]; /* places far from the origin are not steps */
+    float color[3];
     bool has_color;
 };
 struct corner {
@@ -66,7 +67,7 @@ static void *more(struct list *list, size_t size)
 /* The fourth of four numbers divides the others; of seven it is an alpha. */
 static bool take_numbers(struct obj *obj, unsigned kind, char *rest)
 {
-    float n[8];
+    double n[8];
     unsigned count = 0;
     for (const char *word; count < 8 && (word = lines_word(&rest)); count++)
         if (!lines_number(word, &n[count]))
@@ -79,8 +80,8 @@ static bool take_numbers(struct obj *obj, unsigned kind, char *rest)
         to->at[k] = kind == PLACE && count == 4 ? n[k] / n[3] : n[k];
     to->has_color = count >= 6;
     for (int k = 0; k < 3 && to->has_color; k++) {
-        to->color[k] = n[3 + k];
-        obj->brightest = fmaxf(obj->brightest, n[3 + k]);
+        to->color[k] = (float)n[3 + k];
+        obj->brightest = fmaxf(obj->brightest, to->color[k]);
     }
     return true;
 }
@@ -200,7 +201,7 @@ static void look_for(const struct obj *obj, struct soup *soup)
 static void lead(const struct obj_material *material, const struct numbers *place, double uv[2])
 {
     for (int k = 0; k < 2; k++)
-        uv[k] = material ? material->scale[k] * (double)place->at[k] + material->move[k] : (double)place->at[k];
+        uv[k] = material ? material->scale[k] * place->at[k] + material->move[k] : place->at[k];
     uv[1] = 1 - uv[1];
 }
 
@@ -217,8 +218,8 @@ static void set_corner(const struct obj *obj, const struct soup *soup, const str
     const struct numbers *place = named(obj, corner, PLACE), *uv = named(obj, corner, UV),
                          *normal = named(obj, corner, NORMAL);
     for (int k = 0; k < 3; k++) {
-        face->places[at][k] = (double)place->at[k];
-        face->normals[at][k] = normal ? (double)normal->at[k] : 0;
+        face->places[at][k] = place->at[k];
+        face->normals[at][k] = normal ? normal->at[k] : 0;
         face->colors[at][k] = !soup->has_colors  ? 0
                               : place->has_color ? level_of(obj, place->color[k])
                                                  : soup->materials[face->part].color[k];
@@ -240,7 +241,7 @@ static const char *set_faces(struct obj *obj, struct soup *soup, bool textures)
         double(*places)[3] = allocate(face->count, sizeof *places);
         size_t(*triangles)[3] = allocate(face->count - 2, sizeof *triangles);
         for (size_t k = 0; k < 3 * face->count; k++)
-            places[k / 3][k % 3] = (double)named(obj, &corners[k / 3], PLACE)->at[k % 3];
+            places[k / 3][k % 3] = named(obj, &corners[k / 3], PLACE)->at[k % 3];
         const bool is_cut = polygon_cut((const double(*)[3])places, face->count, triangles);
         for (size_t k = 0; is_cut && k < face->count - 2; k++, to++) {
             to->part = (part ? part : soup->part_count) - 1;

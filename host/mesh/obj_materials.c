@@ -42,10 +42,8 @@ static bool take_color(char *at, double out[3])
 {
     for (int k = 0; k < 3; k++) {
         const char *word = lines_word(&at);
-        float part;
-        if (!word || !lines_number(word, &part))
+        if (!word || !lines_number(word, &out[k]))
             return false;
-        out[k] = (double)part;
     }
     return true;
 }
@@ -61,13 +59,13 @@ static void take_highlight(struct mesh_material *look, const double parts[3])
 }
 
 /* Up to three numbers, as far as they go: a picture's name may begin as what is not a number. */
-static char *take_numbers(char *at, float numbers[3])
+static char *take_numbers(char *at, double numbers[3])
 {
     for (int k = 0; k < 3; k++) {
         char *end = at, *stop = at + strspn(at, " \t\v\f");
         stop += strcspn(stop, " \t\v\f");
         const char blank = *stop; /* which becomes 0 */
-        float number;
+        double number;
         const char *word = lines_word(&end);
         if (!word || !lines_number(word, &number) || isnan(number)) {
             *stop = blank;
@@ -79,7 +77,7 @@ static char *take_numbers(char *at, float numbers[3])
     return at;
 }
 
-static bool are_equal(const float a[3], const float b[3])
+static bool are_equal(const double a[3], const double b[3])
 {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
@@ -98,9 +96,9 @@ static void take_picture(const struct obj_materials *materials, struct obj_mater
     static const char *const words = " -blendu -blendv -cc -clamp -texres -type -imfchan -boost -bm ";
     static const struct {
         const char *name;
-        float usual[3];
+        double usual[3];
     } options[] = {{"-s", {1, 1, 1}}, {"-o", {0}}, {"-t", {0}}, {"-mm", {0, 1}}};
-    float numbers[sizeof options / sizeof *options][3];
+    double numbers[sizeof options / sizeof *options][3];
     bool clamps = false;
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         memcpy(numbers[i], options[i].usual, sizeof numbers[i]);
@@ -131,8 +129,8 @@ static void take_picture(const struct obj_materials *materials, struct obj_mater
     material->picture = copied(at);
     material->look.clamps = clamps;
     for (int k = 0; k < 2; k++) {
-        material->scale[k] = (double)numbers[SCALE][k];
-        material->move[k] = (double)numbers[MOVE][k];
+        material->scale[k] = numbers[SCALE][k];
+        material->move[k] = numbers[MOVE][k];
     }
 }
 
@@ -160,10 +158,10 @@ void obj_materials_read(struct obj_materials *materials, const char *text, size_
         } else if (lines_begins(&lines, "Ks", &rest) && take_color(rest, parts)) {
             take_highlight(&now->look, parts);
         } else if (lines_begins(&lines, "Ns", &rest)) {
-            float n;
+            double n;
             const char *word = lines_word(&rest);
             if (word && lines_number(word, &n))
-                now->look.n = n >= 1 ? (unsigned)fminf(1000, n) : 0;
+                now->look.n = n >= 1 ? (unsigned)fmin(1000, n) : 0;
         } else if (lines_begins(&lines, "illum", &rest)) {
             now->look.unlit = strcmp(rest, "0") == 0;
         } else if (lines_begins(&lines, "map_Kd", &rest)) {

@@ -486,6 +486,19 @@ static void an_mtl_of_many_options_or_named_many_times_is_read_soon(void **state
     assert_same_file("long.ppm", "often.ppm");
 }
 
+/* As maps of the earth have them: floats there are half a metre apart. */
+static void a_mesh_far_from_its_origin_is_drawn_as_it_is_or_said_to_be_rounded(void **state)
+{
+    (void)state;
+    write_text("near.obj", "v 0.1 0 0\nv 0.9 0.3 0\nv 0.4 0.8 0\nv 0.7 0.9 0.5\nf 1 3 2\nf 3 4 2\n");
+    assert_same_mesh("near.obj", "sed 's/^v 0/v 5412345/' near.obj >made.obj");
+    assert_quiet("printf '" PLY_VERTICES PLY_FACES "0 0 0\n2 0 0\n0 1 0\n2 2 1\n3 0 1 2\n3 1 2 3\n' >a.ply && "
+                 "sed 's/^\\([02]\\) \\([012] [01]\\)$/4000\\1 \\2/' a.ply >far.ply && "
+                 "sed 's/^\\([02]\\) \\([012] [01]\\)$/400\\1 \\2/' a.ply >less.ply && "
+                 "for i in far less; do $GLINT render --mesh $i.ply --size 9x9 -o $i.ppm 2>$i || exit 1; done; "
+                 "grep -q '^glint: far.ply: lies so far from its origin' far && ! grep . less");
+}
+
 static void colours_of_an_objs_vertices_go_to_1_or_to_255(void **state)
 {
     (void)state;
@@ -639,6 +652,7 @@ int main(void)
         cmocka_unit_test(an_mtls_picture_is_scaled_and_moved_and_other_options_are_said),
         cmocka_unit_test(an_mtl_of_many_options_or_named_many_times_is_read_soon),
         cmocka_unit_test(colours_of_an_objs_vertices_go_to_1_or_to_255),
+        cmocka_unit_test(a_mesh_far_from_its_origin_is_drawn_as_it_is_or_said_to_be_rounded),
         cmocka_unit_test(a_normal_that_is_no_number_is_as_if_it_had_no_length),
         cmocka_unit_test(corners_without_normals_take_none_from_others),
         cmocka_unit_test(normals_of_some_corners_do_not_spare_a_file_its_splits),
