@@ -179,11 +179,11 @@ static bool begins(const char *line, const char *word)
     return strncmp(line, word, len) == 0 && (line[len] == 0 || is_blank(line[len]));
 }
 
-/* The comment that libassimp reads. */
+/* The comment that libassimp reads; without a name it would take the next line's first word for one. */
 static bool is_texture(const char *line)
 {
-    char word[16] = "";
-    return sscanf(line, "comment %15s", word) == 1 && strcmp(word, "TextureFile") == 0;
+    char word[16] = "", name;
+    return sscanf(line, "comment %15s %c", word, &name) == 2 && strcmp(word, "TextureFile") == 0;
 }
 
 /* Returns what is wrong, or NULL. Lines that say nothing become blanks before the next one: among properties libassimp takes them for an element's end.

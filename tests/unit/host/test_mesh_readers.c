@@ -89,7 +89,8 @@ static void a_ply_is_read_whatever_it_holds_beside_places_and_faces(void **state
         /* lines of a header among properties and before them */
         "s/^property float [xyz]/comment of a program\\n&/", "s/^property float y/obj_info 4 of them\\n\\n &/",
         "s/^property/\\n&/", "s/^property/ \\t \\n&/", "s/^property list/comment 1\\nobj_info vertex 1\\n&/",
-        "s/^format/comment first\\n&/", "s/^element/comment 2 vertices\\n&/", "s/^end_header/comment\\n\\n&/",
+        "s/^format/comment first\\n&/", "s/^format/comment TextureFile\\n&/", "s/^element/comment 2 vertices\\n&/",
+        "s/^end_header/comment\\n\\n&/",
         /* elements that nothing is made of, and empty lines */
         "s/^element face/element edge 1\\nproperty int vertex1\\n&/; s/^3 0 1 2/1\\n&/",
         "s/^end_header/element camera 1\\nproperty float view_px\\n&/; $s/$/\\n9/",
