@@ -33,7 +33,7 @@ $(if $(filter install install-lib run-install-lib,$(MAKECMDGOALS)),$(if $(filter
 export TMPDIR := $(shell test -d "$$TMPDIR" && test -w "$$TMPDIR" && echo "$$TMPDIR" || echo /tmp)
 
 # These goals name files from the root on, and make takes a name with a blank for two.
-FROM_ROOT = test dist bench costs coverage% mutants firmware% $(foreach tier,targets packages page lab pico gateware,setup-$(tier) test-$(tier) run-$(tier))
+FROM_ROOT = test dist bench bench-cycles usb-rate gpio-rate costs coverage% mutants firmware% $(foreach tier,targets packages page lab pico gateware,setup-$(tier) test-$(tier) run-$(tier))
 ifneq ($(words $(CURDIR)),1)
 FROM_ROOT_ASKED := $(filter-out firmware-linux $(if $(filter linux,$(PORT)),firmware),$(filter $(FROM_ROOT),$(MAKECMDGOALS)))
 $(if $(FROM_ROOT_ASKED),$(error make $(firstword $(FROM_ROOT_ASKED)) cannot run in '$(CURDIR)', a path with blanks; move the folder, or make what can: all, check, page, \
