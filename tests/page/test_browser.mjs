@@ -152,6 +152,7 @@ run([
             const saved = await browser.save('file-int8', 2), own = unzipped((await browser.save('file-c', 1))['picture.zip'])
             for (const [name, bytes] of Object.entries(expected))
                 check(bytes.equals(saved[name]) && bytes.equals(own[`picture/${name}`]), `${look}: ${name} is for another one`)
+            check((await browser.text('file-status')).includes('without how details shade each other'), 'it does not say that the program draws rough places brighter')
         }
     }],
     ['a program takes no map of scratches where they do not show, which the library refuses beside one of shininess', async () => {

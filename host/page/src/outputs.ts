@@ -107,7 +107,7 @@ const program = (kind: Kind) => async ({ state: now, facts }: Drawn) => {
     const own = { 'picture.h': pictureHeader(now, { ...facts, albedo: wanted.color?.split(',').map(Number) ?? facts.albedo }, header, wanted.format), [name]: text(wanted.format) }
     save('picture.zip', zip([material, ...normals, ...Object.entries(own).map(([name, text]) => ({ name, bytes: new TextEncoder().encode(text) }))]
         .map(({ name, bytes }) => ({ name: `picture/${name}`, bytes }))))
-    return `picture.zip: ${name} and what it includes; it draws the picture in one colour, with full gloss${wanted.background ? ', over black' : ''}. Beside it compile glint.`
+    return `picture.zip: ${name} and what it includes; it draws the picture in one colour, with full gloss${wanted.background ? ', over black' : ''}${wanted.filter ? ', without how details shade each other' : ''}. Beside it compile glint.`
 }
 
 async function saveGloss({ white, width, height }: Drawn): Promise<string> {
