@@ -170,11 +170,11 @@ gallery: setup-build ## use: what it can draw, before and after, as it is and fo
 # A page for glint and one for each command, from the tables of options behind --help.
 COMMAND_PAGES = $(patsubst host/commands/%.c,glint-%.1,$(wildcard host/commands/*.c))
 $(BUILD)/man: $(BUILD)/glint
-	@rm -rf $@ && mkdir -p $@
-	$(BUILD)/glint --_man >$@/glint.1
+	@rm -rf $@ $@.part && mkdir -p $@.part
+	$(BUILD)/glint --_man >$@.part/glint.1
 	for command in $$($(BUILD)/glint --_choices ''); do \
-		$(BUILD)/glint $$command --_man >$@/glint-$$command.1 || { rm -rf $@; exit 1; }; done
-	@touch $@
+		$(BUILD)/glint $$command --_man >$@.part/glint-$$command.1 || exit 1; done
+	@mv $@.part $@
 
 INSTALL = $(call quoted,$(DESTDIR)$(PREFIX))
 install: all run-install-lib $(BUILD)/man ## use: library, header, libglint.pc, command, its man pages and completion, the udev rule, to DESTDIR/PREFIX (/usr/local)
