@@ -132,6 +132,18 @@ run([
         const share = await page.evaluate(() => document.getElementById('stage').clientHeight / innerHeight)
         check(share >= .4, `the stage has ${share} of the height`)
     }]),
+    ['in windows so low that the controls are beside a small picture, none of them is cut off', async () => {
+        for (const [width, height] of [[427, 240], [568, 320]])
+            for (const scene of ['knob', 'teapot']) {
+                await browser.resize(width, height)
+                await browser.go(start.replace('coin', scene))
+                await asked()
+                for (const group of groups) {
+                    await browser.tab(group)
+                    equal(await page.evaluate(() => document.getElementById('scroller').scrollWidth - document.getElementById('scroller').clientWidth), 0, `${scene}, ${width}x${height}, ${group}: too wide by`)
+                }
+            }
+    }],
     ['with letters of twice the size nothing but what lies below the picture is scrolled sideways', async () => {
         for (const [width, height] of [[800, 600], [1366, 768]]) {
             await browser.resize(width, height)
