@@ -175,7 +175,8 @@ static bool next_line(struct light_path *path, struct shading *shading)
         char *text = path->number == 1 ? after_byte_order_mark(path->line) : path->line;
         text[strcspn(text, "\n")] = '\0';
         const size_t blank = strspn(text, " \t\r");
-        if (!text[blank] || text[blank] == '#')
+        const bool is_blank = text + blank + 1 >= path->line + length; /* else a zero that is not its end */
+        if ((!text[blank] && is_blank) || text[blank] == '#')
             continue;
         struct lamp *lamp = &shading->lamps[path->lamp];
         if (text + strlen(text) + 1 < path->line + length || !read_direction(text, lamp->direction))

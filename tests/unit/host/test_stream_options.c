@@ -81,6 +81,7 @@ static void a_wrong_line_of_lights_is_named_by_its_number(void **state)
         {"0 0 0\\n", "line 1: '0 0 0' has no direction"},
         {"1 1 1\\n0 0 -2\\n", "line 2: '0 0 -2' is straight opposite"},
         {"1 1 1\\0001\\n", "line 1"},
+        {"1 1 1\\n\\000-1 1 1\\n", "line 2"},
         {"# nothing\\n", "lights.txt: holds no direction"},
         {"", "lights.txt: holds no direction"},
     };
