@@ -8,6 +8,7 @@ import { SecondCore } from './second_core.mjs'
 
 const FLASH = 0x10000000
 const STACK = 0x20042000
+const BOOT_ROM = 0x20041f00 // its first word, which is read through NULL
 const CYCLE_NS = 8 // 125 MHz
 
 // The board whose image lies in FOLDER, by its row of boards.def.
@@ -258,6 +259,7 @@ export class Pico {
   constructor(packages, { flash_word = 40, pins = boardOf('').pins, qspi = false } = {}) {
     const { RP2040 } = createRequire(resolve(packages, 'x'))('rp2040js')
     this.chip = new RP2040()
+    this.chip.bootrom[0] = BOOT_ROM // all that it has of one
     this.chip.logger = { debug() {}, info() {}, warn() {}, error: (_, message) => { throw new Error(message) } }
     this.uart = ''
     this.chip.uart[0].onByte = (byte) => { this.uart += String.fromCharCode(byte) }

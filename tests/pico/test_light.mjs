@@ -185,6 +185,7 @@ run([
       () => { begin(); host.bulk(2, map.subarray(0, 1000)) },
       () => { begin(); host.bulk(2, map.subarray(0, map.length - 1)) },
       () => { begin(); host.bulk(2, map, 2000) },
+      () => { begin(); host.bulk(2, map, 2000); host.push(2, new Uint8Array(lights(0, 1))); pico.run(() => false, 1) }, // it fills tables
       () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 4)); pico.run(() => false, 120) }, // within a frame
       () => { begin(); host.bulk(2, map, 2000); host.bulk(2, lights(0, 1).subarray(0, 7)) },
       () => { gud.begin(FORMAT.rgb565); gud.buffer({ x: 0, y: 0, width, height, length: FULL, compressed: block.length }); host.bulk(1, block.subarray(0, 5000)) },

@@ -2,6 +2,8 @@
  * Vendor interfaces with one bulk OUT endpoint each. Packets go to two buffers in turn, so that the next one arrives while
  * the last one is handled; TinyUSB's own vendor class would wait. Where there is no room for a packet, the host waits. */
 #include <device/usbd_pvt.h>
+#include <hardware/structs/usb_dpram.h>
+#include <hardware/sync.h>
 #include <tusb.h>
 
 #include "usb_class.h"
@@ -32,12 +34,22 @@ static void init(void)
     reset(0);
 }
 
+/* At a bus reset TinyUSB's interrupt switches the endpoints off and empties what it knows of them, which is not to be touched from then on; what
+ * happened before is told first. */
+static bool is_on(const struct bulk *b)
+{
+    return usb_dpram->ep_ctrl[b->endpoint - 1].out & EP_CTRL_ENABLE_BITS;
+}
+
 /* If there is room for the next packet and for those that are still to be taken. */
 static void arm(uint8_t port, enum usb_interface i, size_t pending)
 {
     struct bulk *b = &bulk[i];
-    if (b->endpoint && !b->is_armed && !b->is_halted && ops->has_room(i, pending + USB_PACKET))
-        b->is_armed = usbd_edpt_xfer(port, b->endpoint, (uint8_t *)b->packets[b->turn], USB_PACKET);
+    if (!b->endpoint || b->is_armed || b->is_halted || !ops->has_room(i, pending + USB_PACKET))
+        return;
+    const uint32_t interrupts = save_and_disable_interrupts();
+    b->is_armed = is_on(b) && usbd_edpt_xfer(port, b->endpoint, (uint8_t *)b->packets[b->turn], USB_PACKET);
+    restore_interrupts(interrupts);
 }
 
 void usb_class_poll(void)
@@ -65,7 +77,7 @@ static uint16_t open(uint8_t port, const tusb_desc_interface_t *interface, uint1
  * It is armed again when all that arrived before has been told. */
 static void halt(uint8_t port, struct bulk *b, bool halts)
 {
-    if (!halts) {
+    if (!halts && is_on(b)) {
         usbd_edpt_stall(port, b->endpoint);
         usbd_edpt_clear_stall(port, b->endpoint);
     }
