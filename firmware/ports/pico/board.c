@@ -22,6 +22,7 @@
 #include <hardware/watchdog.h>
 
 #define SPI (PIN_CLOCK / 8 % 2 ? spi1 : spi0) /* the chip's, by the pin */
+#define UART ((PIN_UART_TX + 4) / 8 % 2 ? uart1 : uart0)
 /* SPI divides the clock by an even number; a slower bus would tear, and no message would say so. */
 typedef char spi_has_the_panels_clock[IS_QSPI || SYS_CLK_HZ % (2 * BUS_HZ) == 0 ? 1 : -1];
 
@@ -296,7 +297,7 @@ enum fault board_start(void)
     const enum fault reason = reason_of_start();
     running = RUNNING;
     watchdog_enable(WATCHDOG_MS, true);
-    uart_init(uart0, UART_BAUD);
+    uart_init(UART, UART_BAUD);
     gpio_set_function(PIN_UART_TX, GPIO_FUNC_UART);
     if (IS_QSPI)
         start_qspi();
@@ -311,7 +312,7 @@ enum fault board_start(void)
 void board_say(const char *text)
 {
     for (; *text; text++)
-        uart_putc_raw(uart0, *text);
+        uart_putc_raw(UART, *text);
 }
 
 void board_alive(void)
