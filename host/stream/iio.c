@@ -85,10 +85,16 @@ static bool read_axis(const struct iio *iio, unsigned axis, double *raw)
     return read_value(iio->folder, names[axis], raw, 1);
 }
 
-static bool is_accelerometer(const struct iio *iio)
+/* error: why one that is there cannot be read, if it was 0. */
+static bool is_accelerometer(const struct iio *iio, int *error)
 {
     double raw;
-    return read_axis(iio, 0, &raw) && read_axis(iio, 1, &raw) && read_axis(iio, 2, &raw);
+    errno = 0;
+    if (read_axis(iio, 0, &raw) && read_axis(iio, 1, &raw) && read_axis(iio, 2, &raw))
+        return true;
+    if (*error == 0 && errno != ENOENT && errno != ENOTDIR && errno != EINTR)
+        *error = errno;
+    return false;
 }
 
 static int by_name(const void *a, const void *b)
@@ -97,7 +103,7 @@ static int by_name(const void *a, const void *b)
 }
 
 /* The devices in the folder, in order; sets the first accelerometer's folder. */
-static bool find_device(struct iio *iio, const char *folder)
+static bool find_device(struct iio *iio, const char *folder, int *error)
 {
     DIR *entries = opendir(folder);
     char **names = NULL;
@@ -115,7 +121,7 @@ static bool find_device(struct iio *iio, const char *folder)
         qsort(names, count, sizeof *names, by_name);
     for (size_t i = 0; i < count; i++) {
         iio->folder = names[i];
-        if (found || !is_accelerometer(iio))
+        if (found || !is_accelerometer(iio, error))
             free(names[i]);
         else {
             found = true;
@@ -159,15 +165,24 @@ static void read_mount(struct iio *iio)
         memcpy(iio->mount, upright, sizeof upright);
 }
 
+static _Noreturn void fail_open(const char *lights, const char *folder, int error)
+{
+    if (error)
+        fail("--lights %s: the accelerometer in %s cannot be read: %s%s", lights, folder, strerror(error),
+             error == EBUSY ? "; stop the program that reads it, iio-sensor-proxy perhaps" : "");
+    fail("--lights %s: no accelerometer is in %s; where it is elsewhere: --lights iio:FOLDER", lights, folder);
+}
+
 struct iio *iio_open(const char *lights)
 {
     const char *folder = lights[3] ? lights + 4 : usual_folder;
     struct iio *iio = allocate(1, sizeof *iio);
+    int error = 0;
     iio->folder = (char *)folder;
-    if (is_accelerometer(iio))
+    if (is_accelerometer(iio, &error))
         iio->folder = copied(folder);
-    else if (!find_device(iio, folder))
-        fail("--lights %s: no accelerometer is in %s; where it is elsewhere: --lights iio:FOLDER", lights, folder);
+    else if (!find_device(iio, folder, &error))
+        fail_open(lights, folder, error);
     read_offset(iio);
     read_scale(iio);
     read_mount(iio);

@@ -132,6 +132,20 @@ static void what_is_no_accelerometer_is_refused(void **state)
     assert_fails("$GLINT stream coin --to raw --frames 1 --lights iio:tree", "has no in_accel_scale");
 }
 
+/* Many drivers refuse with EBUSY while iio-sensor-proxy reads the sensor in its own way; here it is EISDIR. */
+static void an_accelerometer_that_cannot_be_read_is_told_from_none(void **state)
+{
+    (void)state;
+    make_tree();
+    assert_quiet("cd tree/iio:device2 && rm in_accel_x_raw && mkdir in_accel_x_raw");
+    assert_light("iio:tree", 1, 0, .25); /* the next one */
+    assert_quiet("rm -r tree/iio:device10");
+    assert_fails("$GLINT stream coin --to raw --frames 1 --lights iio:tree",
+                 "the accelerometer in tree cannot be read: Is a directory");
+    assert_fails("$GLINT stream coin --to raw --frames 1 --lights iio:tree/iio:device2",
+                 "cannot be read: Is a directory");
+}
+
 /* A sensor that takes its time: reading it waits until something is written. */
 static int pipe_end = -1;
 static volatile sig_atomic_t interrupts;
@@ -181,6 +195,7 @@ int main(void)
         cmocka_unit_test(the_light_goes_where_a_tilt_takes_it),
         cmocka_unit_test(a_stream_by_a_sensor_is_that_of_the_same_line_of_lights),
         cmocka_unit_test(what_is_no_accelerometer_is_refused),
+        cmocka_unit_test(an_accelerometer_that_cannot_be_read_is_told_from_none),
         cmocka_unit_test(a_signal_that_interrupts_a_read_is_no_lost_sensor),
         cmocka_unit_test(a_signal_ends_a_stream_that_waits_for_its_sensor),
     };
