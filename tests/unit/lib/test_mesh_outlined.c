@@ -7,7 +7,7 @@
 
 static struct made_mesh meshes[2];
 static struct model_picture model;
-static uint8_t pictures[2][(MESH_W * 4 + 20) * MESH_H]; /* lines may lie apart */
+static uint8_t pictures[3][(MESH_W * 4 + 20) * MESH_H]; /* lines may lie apart */
 static const unsigned whole[] = {MESH_H}, odd[] = {1, 7, 16, 3, 40};
 static const struct mesh_cut at_once = {whole, 1, MESH_DOWN}, in_strips = {odd, 5, MESH_SHUFFLED};
 
