@@ -105,6 +105,13 @@ MSH_QUOTIENT = Contract("msh_quotient", [(0, 2**24), (1 << 27, (1 << 28) - 1)], 
                         before=lambda u, m: [QUOTIENT_DOMAIN * m * m - 2**62 * u],
                         after=lambda u, m, q: [2**63 * u - 5 * m * m * (q - QUOTIENT_ERROR), 5 * m * m * (q + QUOTIENT_ERROR) - 2**63 * u])
 
+# ---- GGX ----
+
+GGX_SQUARE_ERROR, GGX_SQUARE_MOST = 2220, 2**31 + 2220
+# Enumerated.
+GGX_SQUARE = Contract("ggx_square", [(1 << 27, (1 << 28) - 1)], (0, GGX_SQUARE_MOST),
+                      after=lambda m, f: [2**85 + GGX_SQUARE_ERROR * m * m - f * m * m - 1, f * m * m + GGX_SQUARE_ERROR * m * m - 2**85 - 1])
+
 # ---- Gauss ----
 
 FRACTION_LOW, FRACTION_HIGH = 34, 24  # of glint_exp2_near, in 2^-32 of its value
@@ -113,4 +120,9 @@ FRACTION_LOW, FRACTION_HIGH = 34, 24  # of glint_exp2_near, in 2^-32 of its valu
 def rounds(value, over, result):
     """result = value / over to nearest, ties up: (2 result - 1) over <= 2 value < (2 result + 1) over."""
     return [2 * value - (2 * result - 1) * over, (2 * result + 1) * over - 2 * value - 1]
+
+
+def rounds_or_less(value, over, result):
+    """value / over to nearest is result or 1 more."""
+    return [rounds(value, over, result)[0], rounds(value, over, result + 1)[1]]
 

@@ -56,7 +56,7 @@ def in_c(line):
 
 if __name__ == "__main__":
     found, taken = slice_of(library())
-    for name in ("RECIPROCAL_LOW", "RECIPROCAL_HIGH", "QUOTIENT_P", "FRACTION_LOW", "FRACTION_HIGH"):
+    for name in ("RECIPROCAL_LOW", "RECIPROCAL_HIGH", "QUOTIENT_P", "GGX_SQUARE_ERROR", "GGX_SQUARE_MOST", "FRACTION_LOW", "FRACTION_HIGH"):
         print(f"#define {name} INT64_C({getattr(contracts, name)})")
     for name in ("INVERSE_LOW", "INVERSE_HIGH"):
         print(f"#define {name} {float(getattr(contracts, name))}")

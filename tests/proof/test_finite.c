@@ -54,6 +54,19 @@ static void factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa(
     assert_int_equal(wrong, 0);
 }
 
+static void squares_of_every_mantissas_inverse_are_within_their_bounds(void **state)
+{
+    (void)state;
+    long wrong = 0;
+#pragma omp parallel for reduction(+ : wrong)
+    for (uint32_t m = first_m; m < end_m; m++) {
+        const uint32_t f = ggx_square(m);
+        const i128 square = (i128)m * m, error = f * square - ((i128)1 << 85);
+        wrong += f > GGX_SQUARE_MOST || error >= GGX_SQUARE_ERROR * square || error <= -GGX_SQUARE_ERROR * square;
+    }
+    assert_int_equal(wrong, 0);
+}
+
 /* 2^-(x / 2^27) = 2^-(j / 512) e^z, x = 2^18 j - y, z = y ln 2 / 2^27 < 0.0014: five terms are good to 2^-53, double's products to 2^-49. */
 static void powers_of_two_are_within_their_bounds_for_every_argument(void **state)
 {
@@ -291,6 +304,7 @@ int main(int argc, char **argv)
         cmocka_unit_test(inverses_of_the_root_of_every_mantissa_are_within_their_bounds),
         cmocka_unit_test(short_vectors_that_are_off_by_1_are_off_by_what_grows),
         cmocka_unit_test(factors_of_mshs_quotient_are_within_their_bounds_for_every_mantissa),
+        cmocka_unit_test(squares_of_every_mantissas_inverse_are_within_their_bounds),
         cmocka_unit_test(quotients_of_blended_sums_are_rounded_down),
         cmocka_unit_test(four_texels_are_weighed_field_by_field),
         cmocka_unit_test(outlines_of_every_slope_stay_within_a_sixteenth_of_a_pixel),
