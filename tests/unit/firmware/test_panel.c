@@ -661,7 +661,7 @@ static void colour_order_and_inversion_are_as_given_else_the_controllers_usual_o
 {
     (void)state;
     const struct sink_wish wish = {.width = 240, .height = 240, .format = -1};
-    struct panel panel;
+    struct panel panel = {.bgr = true}; /* what was there is gone */
     panel_of_options(&panel, &wish, false);
     assert_true(panel.inverted && !panel.bgr);
     assert_true(panel_options_set("pins.ini:1", "invert", "no") && panel_options_set("pins.ini:2", "bgr", "yes"));

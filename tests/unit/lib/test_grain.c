@@ -484,6 +484,12 @@ static void maps_that_make_no_sense_are_refused(void **state)
     bad[6].grain = bytes, bad[6].grain_stride = 1 - SIDE;
     for (int i = 0; i < 7; i++)
         assert_int_equal(draw_rect(&look, &bad[i], SIDE, SIDE, &surface, NULL), GLINT_ERR_ARG);
+    for (int i = 0; i < 4; i++) { /* a centre as far as one may be */
+        struct glint_maps far = good;
+        far.grain_kind = GLINT_GRAIN_SPUN;
+        far.grain_at[i / 2] = i % 2 ? GLINT_LIGHT_FAR : -GLINT_LIGHT_FAR;
+        assert_int_equal(draw_rect(&look, &far, SIDE, SIDE, &surface, NULL), GLINT_OK);
+    }
     look.material.n_across = 0;
     bad[4].shininess_stride = SIDE - 1;
     assert_int_equal(draw_rect(&look, &bad[4], SIDE, SIDE, &surface, NULL), GLINT_ERR_ARG);
