@@ -78,7 +78,7 @@ bool glint_mesh_fan_shows(const struct glint_mesh_frame *frame, const struct gli
     const unsigned edge = glint_mesh_edge_in(drawn, face);
     const unsigned count = edge < 3 ? fan_clip(bench, frame, drawn, face) : 0;
     const unsigned beside = edge == 2 ? count - 1 : 2;
-    unsigned at_hand = 2;
+    unsigned largest = 2;
     int32_t most = 0;
     bool shows = false, beside_shows = false;
     for (unsigned i = 2; i < count; i++) {
@@ -88,13 +88,13 @@ bool glint_mesh_fan_shows(const struct glint_mesh_frame *frame, const struct gli
         if (size > most) {
             most = size;
             shows = area < 0;
-            at_hand = i;
+            largest = i;
         }
         if (i == beside)
             beside_shows = area < 0;
     }
     if (shows)
-        fan_set(bench, frame, drawn, beside_shows ? beside : at_hand);
+        fan_set(bench, frame, drawn, beside_shows ? beside : largest);
     return shows;
 }
 

@@ -126,3 +126,8 @@ def rounds_or_less(value, over, result):
     """value / over to nearest is result or 1 more."""
     return [rounds(value, over, result)[0], rounds(value, over, result + 1)[1]]
 
+
+def quick_is(near, high, f, shift=12):
+    """f = (near + 2^(shift - 1) - high) / 2^shift, rounded down."""
+    from_below = near + 2**(shift - 1) - high - 2**shift * f
+    return [from_below, 2**shift - 1 - from_below]
